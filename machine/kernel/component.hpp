@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A component: a part of the machine with private state, which acts when an event reaches it and
+// sees nothing of the others but the wires at its ports.
+#pragma once
+
+#include "machine/kernel/port.hpp"
+#include "machine/kernel/scheduler.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rasterloom {
+
+class Component {
+  public:
+    // `name` is the component's path in the machine ("node/P31-123"); it decides the component's
+    // place in the event order and must differ from every other one.
+    explicit Component(std::string name) : name_(std::move(name)) {}
+    Component(const Component&) = delete;
+    Component& operator=(const Component&) = delete;
+    virtual ~Component() = default;
+
+    const std::string& name() const { return name_; }
+    ComponentId id() const { return id_; }  // once the machine is sealed
+    const std::vector<Port>& ports() const { return ports_; }
+
+    // Called once, at time zero, in the order of ids, before any event.
+    virtual void start() {}
+    // Something has reached the component.
+    virtual void handle(const Event& event) = 0;
+    // What the component waits for ("a message at port 3"), if it is not content to stop here: read
+    // when no event is left.
+    virtual std::optional<std::string> waits_for() const { return std::nullopt; }
+
+  protected:
+    // Ports are made before the machine is sealed, normally in the constructor. They count from 0.
+    PortIndex add_port(std::string port_name);
+
+    Scheduler& scheduler() { return *scheduler_; }
+    const Scheduler& scheduler() const { return *scheduler_; }
+    Time now() const { return scheduler_->now(); }
+
+    // Sends over a connected port. The event leaves at `departure`, now or later, and arrives one
+    // wire latency after that.
+    void send(PortIndex port, EventKind kind, std::uint64_t payload, Time departure) {
+        const Port& from = ports_[static_cast<std::size_t>(port)];
+        scheduler_->push(
+            {make_event_key(departure + from.latency_, EventPhase::arrival, from.peer_, id_),
+             sequence_++, kind, from.peer_port_, payload});
+    }
+
+    // Calls handle() at `time`, now or later, with an event in phase work.
+    void wake_at(Time time, EventKind kind, std::uint64_t payload = 0) {
+        scheduler_->push({own_key(time), sequence_++, kind, PortIndex{}, payload});
+    }
+
+    // The key of an event that the component sends to itself.
+    EventKey own_key(Time time) const { return make_event_key(time, EventPhase::work, id_, id_); }
+
+  private:
+    friend class Simulation;
+
+    std::string name_;
+    std::vector<Port> ports_;
+    Scheduler* scheduler_ = nullptr;
+    ComponentId id_{};
+    std::uint32_t sequence_ = 0;
+};
+
+}  // namespace rasterloom

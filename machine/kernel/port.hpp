@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// A port: a component's end of a wire. A wire joins two ports; what one sends reaches the other one
+// wire latency later, and that is at least one tick. Partitions may be cut at wires: the least
+// latency across the cut is their lookahead.
+#pragma once
+
+#include "machine/kernel/event.hpp"
+
+#include <string>
+#include <utility>
+
+namespace rasterloom {
+
+class Port {
+  public:
+    explicit Port(std::string name) : name_(std::move(name)) {}
+
+    const std::string& name() const { return name_; }
+    bool connected() const { return latency_ > Duration(); }
+    Duration latency() const { return latency_; }  // of the wire, from here to the peer
+    ComponentId peer() const { return peer_; }     // once the machine is sealed
+    PortIndex peer_port() const { return peer_port_; }
+
+  private:
+    friend class Component;
+    friend class Simulation;
+
+    std::string name_;
+    Duration latency_;
+    ComponentId peer_{};
+    PortIndex peer_port_{};
+};
+
+}  // namespace rasterloom

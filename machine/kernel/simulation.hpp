@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// A simulation: a machine that is built (components added, wires connected), sealed (validated, ids
+// given) and run.
+#pragma once
+
+#include "machine/kernel/component.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rasterloom {
+
+enum class RunEnd : std::uint8_t {
+    finished,  // no event is left and nobody waits
+    limit,     // the next event lies at or beyond the limit
+    stopped,   // a component asked for the end
+    failed,    // deadlock or guest error: see RunResult::failure
+};
+
+struct RunResult {
+    RunEnd end = RunEnd::finished;
+    Time time;  // of the last event handled; the limit for RunEnd::limit
+    std::shared_ptr<const Failure> failure;
+};
+
+class Simulation {
+  public:
+    // Makes a component inside the machine, which owns it. Throws WiringError once sealed.
+    template <std::derived_from<Component> T, class... Arguments>
+    T& add(Arguments&&... arguments) {
+        auto component = std::make_unique<T>(std::forward<Arguments>(arguments)...);
+        T& reference = *component;
+        adopt(std::move(component));
+        return reference;
+    }
+
+    // Joins two ports by a wire with the same latency either way. Throws WiringError when a port
+    // does not exist or is taken, when the latency is less than a tick, or once sealed.
+    void connect(Component& a, PortIndex port_a, Component& b, PortIndex port_b, Duration latency);
+
+    // Checks the wiring (names differ, no port is open) and gives ids in the order of names: from
+    // here on nothing can be added. Throws WiringError.
+    void seal();
+    bool sealed() const { return sealed_; }
+
+    // Handles every event before `limit`, in order. Can be called again to go on: where a run is
+    // cut does not change what happens. Throws WiringError before seal().
+    RunResult run(Time limit = Time::never());
+
+    Time now() const { return scheduler_.now(); }
+    std::uint64_t events_handled() const { return events_handled_; }
+    const std::vector<std::unique_ptr<Component>>& components() const { return components_; }
+
+  private:
+    struct Wire {
+        Component* end[2];
+        PortIndex port[2];
+    };
+
+    void adopt(std::unique_ptr<Component> component);
+    void require_open(const std::string& action) const;
+    void check_end(const Component& component, PortIndex port) const;
+    void check_ports_connected() const;
+    void start_components();
+    RunResult conclude(Time limit);
+
+    Scheduler scheduler_;
+    std::vector<std::unique_ptr<Component>> components_;  // once sealed, in the order of ids
+    std::vector<Wire> wires_;
+    bool sealed_ = false;
+    bool started_ = false;
+    std::uint64_t events_handled_ = 0;
+};
+
+}  // namespace rasterloom
