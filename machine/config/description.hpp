@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// A machine as its YAML file describes it: plain values, checked and with defaults filled in.
+// Nothing here is built yet.
+#pragma once
+
+#include "machine/config/error.hpp"
+#include "machine/config/units.hpp"
+#include "machine/kernel/time.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace rasterloom::config {
+
+// A file that the configuration names: as written, and where it was found.
+struct FileReference {
+    std::string text;
+    std::filesystem::path path;  // absolute
+};
+
+struct TopologyDescription {
+    std::string kind;
+    // Everything beside `kind`: checked by the topology itself. Values of file parameters are
+    // absolute paths.
+    std::map<std::string, std::string> parameters;
+};
+
+struct CostDescription {
+    std::string model;                              // empty: the ISA's first
+    std::map<std::string, std::int64_t> overrides;  // cycles; checked by the ISA
+};
+
+struct NodeDescription {
+    std::string isa = "pdp11";
+    std::optional<FileReference> plugin;  // a shared object that supplies the ISA
+    ClockRate clock{Duration::microseconds(5), 0};
+    CostDescription cost;
+    std::int64_t memory = 56 * 1024;               // bytes
+    FileReference program;                         // .s: assembled; .bin: raw image; .out: a.out
+    std::uint32_t load_address = 0;                // raw images only
+    std::optional<std::uint32_t> entry;            // default: what the program says
+    std::optional<std::int64_t> phases_per_frame;  // default: the program's PHASES_PER_FRAME
+};
+
+enum class SendPolicy : std::uint8_t { one_at_a_time, each_port };
+
+struct LinkDescription {
+    Duration time_per_byte = Duration::microseconds(5);
+    Duration time_per_message;
+    Duration latency = Duration::microseconds(1);
+    std::int64_t input_queue = 4;    // messages
+    std::int64_t output_queue = 2;   // messages
+    std::int64_t max_message = 256;  // bytes
+    SendPolicy send = SendPolicy::one_at_a_time;
+};
+
+struct SupervisorDescription {
+    Duration latency = Duration::microseconds(5);
+};
+
+struct ScreenDescription {
+    std::int64_t width = 256;  // pixels
+    std::int64_t height = 256;
+};
+
+enum class Routing : std::uint8_t { small_circle, great_circle };
+enum class Normals : std::uint8_t { smooth, face };
+
+struct RotationDescription {
+    glm::dvec3 axis{0, 0, 1};  // world axes of machine/host/view.hpp
+    double degrees = 0;        // a frame
+    double start = 0;          // degrees at which the object was handed to the processors
+};
+
+struct SceneDescription {
+    std::string object = "teapot";              // a built-in object ...
+    std::optional<std::filesystem::path> mesh;  // ... or a mesh file
+    std::string up = "y";                       // axis of the mesh that points up
+    std::string front = "z";                    // axis of the mesh that faces the viewer
+    double size = 0.98;                         // radius to which the object is fitted
+    Normals normals = Normals::smooth;
+    RotationDescription rotate;
+    Routing routing = Routing::small_circle;
+    double scale = 0.9;
+    glm::dvec3 translate{0, 0, 0};  // right, down, away
+    double vanishing_distance = 4;
+    glm::dvec3 light{-0.7, 0.3, 0.65};
+    double ambient = 0.15;
+    std::int64_t background = 0;  // grey level
+};
+
+struct RunDescription {
+    std::int64_t frames = 1;
+    Duration max_time = Duration::seconds(10);  // of the machine, all frames together
+};
+
+struct MachineDescription {
+    std::string machine;
+    TopologyDescription topology;
+    NodeDescription nodes;
+    LinkDescription links;
+    SupervisorDescription supervisor;
+    ScreenDescription screen;
+    std::optional<SceneDescription>
+        scene;  // none: the program runs on its own, no object and no picture
+    RunDescription run;
+
+    // Where each value was written; defaults are missing. Lets later steps (a program that does not
+    // assemble, a cost parameter the ISA does not know) point at the line.
+    std::map<std::string, Position, std::less<>> written;
+
+    // An error about the value of `key`; points at the file when the value is a default.
+    ConfigError error(const std::string& key, const std::string& value, const std::string& what,
+                      const std::string& expected = {}, const std::string& nearest = {}) const;
+    std::string source;  // the file
+};
+
+}  // namespace rasterloom::config

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "machine/config/error.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace rasterloom::config {
+
+namespace {
+
+constexpr std::size_t kLongestShownValue = 80;
+
+// A message is one line: control characters of a broken file are shown as escapes.
+std::string printable(std::string_view text) {
+    std::string shown;
+    for (const char c : text.substr(0, kLongestShownValue)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) {
+            shown += fmt::format("\\x{:02x}", byte);
+        } else {
+            shown += c;
+        }
+    }
+    return text.size() > kLongestShownValue ? shown + "..." : shown;
+}
+
+std::string message_of(const Problem& problem) {
+    std::string text = problem.where.to_string();
+    const auto append = [&text](std::string_view separator, const std::string& part) {
+        text += text.empty() ? part : std::string(separator) + part;
+    };
+    if (!problem.key.empty()) {
+        append(": ", printable(problem.key));
+    }
+    append(": ", problem.what);
+    if (!problem.value.empty()) {
+        text += fmt::format(" '{}'", printable(problem.value));
+    }
+    if (!problem.expected.empty()) {
+        append("; expected ", problem.expected);
+    }
+    if (!problem.nearest.empty()) {
+        text += fmt::format("; did you mean '{}'?", problem.nearest);
+    }
+    return text;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t substitute = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({substitute, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+std::string Position::to_string() const {
+    return line == 0 ? source : fmt::format("{}:{}:{}", source, line, column);
+}
+
+ConfigError::ConfigError(Problem problem)
+    : std::runtime_error(message_of(problem)), problem_(std::move(problem)) {}
+
+void refuse(const Position& where, std::string_view key, std::string_view value,
+            std::string_view what, std::string_view expected, std::string_view nearest) {
+    throw ConfigError({where, std::string(key), std::string(value), std::string(what),
+                       std::string(expected), std::string(nearest)});
+}
+
+std::string nearest_name(std::string_view name, const std::vector<std::string>& valid) {
+    constexpr std::size_t kLongestName = 64;
+    if (name.empty() || name.size() > kLongestName) {
+        return {};
+    }
+    std::string best;
+    std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
+    for (const std::string& candidate : valid) {
+        const std::size_t distance = edit_distance(name, candidate);
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+}  // namespace rasterloom::config

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// The keys of a scene: the object, how it turns, where it stands, its light.
+#include "machine/config/scene_fields.hpp"
+
+#include "machine/config/field_builders.hpp"
+#include "machine/config/yaml_text.hpp"
+
+namespace rasterloom::config {
+
+namespace {
+
+SceneDescription& scene_of(MachineDescription& machine) {
+    if (!machine.scene) {
+        machine.scene.emplace();
+    }
+    return *machine.scene;
+}
+
+const SceneDescription& scene_of(const MachineDescription& machine) {
+    return *machine.scene;
+}
+
+void read_object(MachineDescription& machine, const Value& value, const Locator& locator) {
+    SceneDescription& scene = scene_of(machine);
+    scene.object = scalar_text(value);
+    scene.mesh = locator.find(scene.object, value.where.source, {});
+    const bool looks_like_a_file = scene.object.find_first_of("./") != std::string::npos;
+    if (!scene.mesh && (looks_like_a_file || scene.object.empty())) {
+        throw std::invalid_argument("no such file (looked in " +
+                                    Locator::places(value.where.source, {}) + ")");
+    }
+}
+
+Field object_field() {
+    return {"scene.object",
+            "a built-in object or a mesh file",
+            "what is drawn: see `rasterloom list scenes`; a mesh file is looked for beside the "
+            "configuration",
+            false,
+            read_object,
+            [](const MachineDescription& machine) {
+                const SceneDescription& scene = scene_of(machine);
+                return yaml_scalar(scene.mesh ? scene.mesh->string() : scene.object);
+            }};
+}
+
+void add_object_fields(std::vector<Field>& fields) {
+    const std::vector<std::pair<std::string, std::string>> axes{
+        {"x", "x"}, {"-x", "-x"}, {"y", "y"}, {"-y", "-y"}, {"z", "z"}, {"-z", "-z"}};
+    fields.push_back(object_field());
+    fields.push_back(choice_field<std::string>(
+        "scene.up", "axis of the mesh file that points up", axes,
+        [](auto& m) -> auto& { return scene_of(m).up; }));
+    fields.push_back(choice_field<std::string>(
+        "scene.front", "axis of the mesh file that faces the viewer", axes,
+        [](auto& m) -> auto& { return scene_of(m).front; }));
+    fields.push_back(real_field(
+        "scene.size", "radius the object is fitted to, in sphere radii", 0.01, 1.0,
+        [](auto& m) -> auto& { return scene_of(m).size; }));
+    fields.push_back(choice_field<Normals>(
+        "scene.normals", "shading: interpolated normals, or those of the faces",
+        {{"smooth", Normals::smooth}, {"face", Normals::face}},
+        [](auto& m) -> auto& { return scene_of(m).normals; }));
+}
+
+void add_motion_fields(std::vector<Field>& fields) {
+    fields.push_back(vector_field(
+        "scene.rotate.axis", "axis of rotation; +z is the north pole", false,
+        [](auto& m) -> auto& { return scene_of(m).rotate.axis; }));
+    fields.push_back(real_field(
+        "scene.rotate.degrees", "rotation before each frame, right-handed, in degrees", -360, 360,
+        [](auto& m) -> auto& { return scene_of(m).rotate.degrees; }));
+    fields.push_back(real_field(
+        "scene.rotate.start", "rotation of the object before the run, in degrees", -360, 360,
+        [](auto& m) -> auto& { return scene_of(m).rotate.start; }));
+    fields.push_back(choice_field<Routing>(
+        "scene.routing", "how messages find their way over the sphere",
+        {{"small_circle", Routing::small_circle}, {"great_circle", Routing::great_circle}},
+        [](auto& m) -> auto& { return scene_of(m).routing; }));
+}
+
+void add_view_fields(std::vector<Field>& fields) {
+    fields.push_back(real_field(
+        "scene.scale", "size in the picture: 1 fills half its width with a sphere's radius", 0.01,
+        4, [](auto& m) -> auto& { return scene_of(m).scale; }));
+    fields.push_back(vector_field(
+        "scene.translate", "shift to the right, down and away, in sphere radii", true,
+        [](auto& m) -> auto& { return scene_of(m).translate; }));
+    fields.push_back(real_field(
+        "scene.vanishing_distance", "distance of the eye, in sphere radii", 1.5, 1000,
+        [](auto& m) -> auto& { return scene_of(m).vanishing_distance; }));
+    fields.push_back(vector_field(
+        "scene.light", "direction towards the light; the viewer stands on -x", false,
+        [](auto& m) -> auto& { return scene_of(m).light; }));
+    fields.push_back(real_field(
+        "scene.ambient", "share of light that falls everywhere", 0, 1,
+        [](auto& m) -> auto& { return scene_of(m).ambient; }));
+    fields.push_back(count_field(
+        "scene.background", "grey level behind the object", 0, 255,
+        [](auto& m) -> auto& { return scene_of(m).background; }));
+}
+
+}  // namespace
+
+void add_scene_fields(std::vector<Field>& fields) {
+    add_object_fields(fields);
+    add_motion_fields(fields);
+    add_view_fields(fields);
+}
+
+}  // namespace rasterloom::config
