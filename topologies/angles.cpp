@@ -37,9 +37,9 @@ double sine_of_quarter(std::int64_t quarter, double x) {
         case 1:
             return cosine_near_zero(x);
         case 2:
-            return -sine_near_zero(x);
+            return 0 - sine_near_zero(x);  // no negative zero
         default:
-            return -cosine_near_zero(x);
+            return 0 - cosine_near_zero(x);
     }
 }
 

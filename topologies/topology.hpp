@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A machine's wiring as a plain graph: which node's port leads to which neighbour, and where the nodes stand.
+// A machine's wiring as a plain graph: which node's port leads to which neighbour, and where the
+// nodes stand.
 #pragma once
 
 #include <array>
@@ -19,16 +20,17 @@ struct Vec3 {
 };
 
 struct Node {
-    std::string name;       // "P31-123"
-    Vec3 direction;         // unit vector, where the topology has positions in space; else zero
-    double phi = 0;         // degrees, 0 <= phi < 360, longitude (0 along +x, growing towards +y)
-    double theta = 0;       // degrees, 0 <= theta <= 180, from the north pole (+z)
+    std::string name;  // "P31-123"
+    Vec3 direction;    // unit vector, where the topology has positions in space; else zero
+    double phi = 0;    // degrees, 0 <= phi < 360, longitude (0 along +x, growing towards +y)
+    double theta = 0;  // degrees, 0 <= theta <= 180, from the north pole (+z)
 };
 
 struct Topology {
-    std::string kind;                           // "geodesic", "ring", "edge_list", "graphml", "single"
+    std::string kind;  // as `rasterloom list topologies` names it: "geodesic", "ring", ...
     std::vector<Node> nodes;
-    std::vector<std::vector<NodeIndex>> ports;  // ports[n][k]: the node at the other end of n's port k
+    std::vector<std::vector<NodeIndex>>
+        ports;  // ports[n][k]: the node at the other end of n's port k
     // Geodesic only: mutually adjacent nodes, counter-clockwise seen from outside the sphere.
     std::vector<std::array<NodeIndex, 3>> triangles;
 };

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "topologies/registry.hpp"
+
+#include "topologies/geodesic.hpp"
+#include "topologies/graph_file.hpp"
+#include "topologies/nearest_name.hpp"
+#include "topologies/regular.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace rasterloom::topology {
+
+namespace {
+
+int whole_number(const Parameters& parameters, const std::string& name) {
+    const std::string& text = parameters.at(name);
+    int value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end) {
+        throw TopologyError(name, fmt::format("{} is '{}'; expected a whole number", name, text));
+    }
+    return value;
+}
+
+std::vector<std::string> names_of(const std::vector<ParameterInfo>& parameters) {
+    std::vector<std::string> names;
+    for (const ParameterInfo& p : parameters) {
+        names.push_back(p.name);
+    }
+    return names;
+}
+
+// The given parameters, checked against the kind's list, with its defaults.
+Parameters complete(const TopologyKind& kind, Parameters given) {
+    const std::vector<std::string> names = names_of(kind.parameters);
+    for (const auto& [name, value] : given) {
+        if (names.empty()) {
+            throw TopologyError(
+                name,
+                fmt::format("topology '{}' has no parameter '{}'; expected none", kind.name, name));
+        }
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            throw TopologyError(
+                name, fmt::format("topology '{}' has no parameter '{}'; did you mean '{}'?",
+                                  kind.name, name, nearest_name(name, names)));
+        }
+    }
+    for (const ParameterInfo& p : kind.parameters) {
+        if (given.count(p.name) > 0) {
+            continue;
+        }
+        if (!p.fallback) {
+            throw TopologyError(p.name,
+                                fmt::format("topology '{}' lacks its parameter '{}'; expected {}",
+                                            kind.name, p.name, p.summary));
+        }
+        given[p.name] = *p.fallback;
+    }
+    return given;
+}
+
+Topology make_grid(Topology (*make)(int, int), const Parameters& p) {
+    return make(whole_number(p, "width"), whole_number(p, "height"));
+}
+
+}  // namespace
+
+std::vector<TopologyKind> topology_kinds() {
+    const std::vector<ParameterInfo> file{{"file", "path of the file", std::nullopt}};
+    const std::vector<ParameterInfo> sides{{"width", "nodes in a row", std::nullopt},
+                                           {"height", "number of rows", std::nullopt}};
+    return {
+        {"edge_list", "graph from a text file, one link 'a b' a line", file,
+         [](const Parameters& p) { return edge_list_file(p.at("file")); }},
+        {"geodesic",
+         "icosahedron subdivided by the Caspar-Klug pair (b, c): 10 (b^2 + bc + c^2) + 2 nodes on "
+         "a sphere",
+         {{"b", "steps straight ahead from corner to corner", "4"},
+          {"c", "steps after a turn of 60 degrees", "4"}},
+         [](const Parameters& p) { return geodesic(whole_number(p, "b"), whole_number(p, "c")); }},
+        {"graphml", "graph from a GraphML file", file,
+         [](const Parameters& p) { return graphml_file(p.at("file")); }},
+        {"grid", "width x height nodes with links right, up, left, down", sides,
+         [](const Parameters& p) { return make_grid(grid, p); }},
+        {"ring",
+         "nodes in a circle",
+         {{"nodes", "how many, at least 2", std::nullopt}},
+         [](const Parameters& p) { return ring(whole_number(p, "nodes")); }},
+        {"single", "one node without links", {}, [](const Parameters&) { return single(); }},
+        {"torus", "a grid whose opposite sides are joined", sides,
+         [](const Parameters& p) { return make_grid(torus, p); }},
+    };
+}
+
+Topology make_topology(const std::string& kind, const Parameters& parameters) {
+    std::vector<std::string> names;
+    for (const TopologyKind& row : topology_kinds()) {
+        names.push_back(row.name);
+        if (row.name != kind) {
+            continue;
+        }
+        const Parameters all = complete(row, parameters);
+        try {
+            return row.make(all);
+        } catch (const TopologyError&) {
+            throw;
+        } catch (const std::invalid_argument& error) {
+            throw TopologyError("", error.what());
+        }
+    }
+    throw TopologyError(
+        "", fmt::format("there is no topology '{}'; did you mean '{}'? (expected one of {})", kind,
+                        nearest_name(kind, names), fmt::join(names, ", ")));
+}
+
+}  // namespace rasterloom::topology
