@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Strothotte's processor supervisor: counts the work outstanding, and announces the next phase to
+// all nodes when there is none.
+//
+// At the start of a phase the count is the number of nodes. CREDIT adds to it; at zero the phase is
+// over, and every node sees the next one `latency` after the write that made it zero. (Half of the
+// latency is on the way up, half on the way down; so two writes are counted in the order in which
+// they were made.)
+#pragma once
+
+#include "machine/kernel/probe.hpp"
+#include "machine/kernel/simulation.hpp"
+#include "machine/node/processor.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace rasterloom {
+
+struct PhaseRecord {
+    std::int64_t number = 0;  // counted from 0 through the whole run
+    int frame = 0;
+    int phase = 0;  // within its frame
+    Time began;     // the nodes saw it
+    Time ended;     // the count was zero
+};
+
+class SupervisorListener {
+  public:
+    virtual ~SupervisorListener() = default;
+    virtual void phase_ended(const PhaseRecord&) {}
+    // After phase_ended of the frame's last phase: every program has done its work, and its memory
+    // is what it left.
+    virtual void frame_ended(int /*frame*/, Time) {}
+};
+
+class Supervisor final : public Component {
+  public:
+    struct Settings {
+        Duration latency = Duration::microseconds(1);  // at least 2 ticks
+        int phases_per_frame = 1;                      // at least 1
+        int frames = 1;                                // at least 1
+        int nodes = 1;                                 // at least 1
+    };
+
+    // Throws std::invalid_argument when a setting is out of range.
+    Supervisor(std::string name, const Settings& settings);
+
+    // Lays the wire to node number `index`, 0 to nodes - 1.
+    void connect(Simulation& simulation, int index, Processor& node);
+
+    bool over() const { return over_; }
+    const PhaseRecord& phase() const { return current_; }  // in progress
+    std::int64_t outstanding() const { return outstanding_; }
+    Probe<SupervisorListener>& probe() { return probe_; }
+
+    void handle(const Event& event) override;
+    std::optional<std::string> waits_for() const override;
+
+  private:
+    void end_phase();
+    Duration up() const;
+    void fail_count(const Event& event, const std::string& what);
+
+    Settings settings_;
+    std::int64_t outstanding_;
+    bool over_ = false;
+    PhaseRecord current_;
+    Probe<SupervisorListener> probe_;
+};
+
+}  // namespace rasterloom

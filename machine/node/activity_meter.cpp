@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "machine/node/activity_meter.hpp"
+
+#include <algorithm>
+
+namespace rasterloom {
+
+// A stall ends at an edge of the clock, perhaps just after the phase it is booked to; then nothing
+// is left to book.
+void ActivityMeter::book(NodeState state, Time until) {
+    if (until > booked_until_) {
+        statistics_.phases.back().in_state[static_cast<std::size_t>(state)] +=
+            until - booked_until_;
+        booked_until_ = until;
+    }
+}
+
+void ActivityMeter::end_interval(NodeState state, Time until) {
+    if (until == interval_from_) {
+        return;
+    }
+    if (state == NodeState::busy) {
+        statistics_.busy_with[activity_] += until - interval_from_;
+    }
+    probe_.tell([&](NodeListener& listener) {
+        listener.interval_ended({node_, state, activity_, interval_from_, until});
+    });
+    interval_from_ = until;
+}
+
+void ActivityMeter::begin_stall(Time time) {
+    book(NodeState::busy, time);
+    end_interval(NodeState::busy, time);
+    mode_ = Mode::stalled;
+}
+
+void ActivityMeter::end_stall(NodeState kind, Time time) {
+    book(kind, time);
+    end_interval(kind, time);
+    mode_ = Mode::busy;
+}
+
+void ActivityMeter::halt(Time time) {
+    begin_stall(time);
+    mode_ = Mode::halted;
+}
+
+void ActivityMeter::mark(std::uint8_t activity, Time time) {
+    if (activity != activity_) {
+        end_interval(NodeState::busy, time);
+        activity_ = activity;
+    }
+}
+
+void ActivityMeter::begin_phase(Time now, NodeState kind_of_stall, std::int64_t instructions) {
+    if (mode_ != Mode::halted) {
+        book(mode_ == Mode::busy ? NodeState::busy : kind_of_stall, now);
+    }
+    statistics_.phases.back().instructions = instructions - instructions_before_phase_;
+    instructions_before_phase_ = instructions;
+    statistics_.phases.emplace_back();
+}
+
+void ActivityMeter::count(std::int64_t instructions, std::int64_t cycles) {
+    statistics_.phases.back().instructions = instructions - instructions_before_phase_;
+    statistics_.instructions = instructions;
+    statistics_.cycles = cycles;
+}
+
+void ActivityMeter::close(NodeState kind_of_stall, Time time) {
+    if (mode_ != Mode::halted) {
+        const NodeState state = mode_ == Mode::busy ? NodeState::busy : kind_of_stall;
+        book(state, time);
+        end_interval(state, time);
+        mode_ = Mode::halted;
+    }
+}
+
+}  // namespace rasterloom

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Follows what a processor is doing and keeps its NodeStatistics: told of every change, with its
+// exact time.
+//
+// A processor may run ahead of the simulation and learn of a new phase late. Busy time is therefore
+// booked to a phase only when the stretch of busy time ends, or when the next phase begins.
+#pragma once
+
+#include "machine/kernel/probe.hpp"
+#include "machine/node/node_statistics.hpp"
+
+#include <cstdint>
+
+namespace rasterloom {
+
+class ActivityMeter {
+  public:
+    // Busy from time zero.
+    explicit ActivityMeter(NodeIndex node) : node_(node) { statistics_.phases.emplace_back(); }
+
+    // Busy until `time`, where a stall begins...
+    void begin_stall(Time time);
+    // ...which is over at `time`, and was of this kind.
+    void end_stall(NodeState kind, Time time);
+    // Halted for good at `time`.
+    void halt(Time time);
+    // The program names another activity at `time`; it goes on being busy.
+    void mark(std::uint8_t activity, Time time);
+
+    // The next phase begins at `now`, when `instructions` have been retired in all. A stall in
+    // progress is booked as `kind_of_stall` as far as it belongs to the old phase.
+    void begin_phase(Time now, NodeState kind_of_stall, std::int64_t instructions);
+    // Brings the instruction and cycle counts up to date.
+    void count(std::int64_t instructions, std::int64_t cycles);
+    // Ends what is in progress at `time`, when the run is over.
+    void close(NodeState kind_of_stall, Time time);
+
+    const NodeStatistics& statistics() const { return statistics_; }
+    Probe<NodeListener>& probe() { return probe_; }
+    const Probe<NodeListener>& probe() const { return probe_; }
+
+  private:
+    enum class Mode : std::uint8_t { busy, stalled, halted };
+
+    void book(NodeState state, Time until);
+    void end_interval(NodeState state, Time until);
+
+    NodeIndex node_;
+    Mode mode_ = Mode::busy;
+    std::uint8_t activity_ = 0;
+    Time interval_from_;  // of the interval in progress, for listeners and activities
+    Time booked_until_;   // up to here time is booked to phases
+    std::int64_t instructions_before_phase_ = 0;
+    NodeStatistics statistics_;
+    Probe<NodeListener> probe_;
+};
+
+}  // namespace rasterloom

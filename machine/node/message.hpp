@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// A message on its way over one hop, and what is spoken on the wires between nodes and the fabric.
+//
+// A wire to the fabric at a node's transmitting end carries `transmit` out, `done` and `ready` in;
+// one at its receiving end carries `deliver` in, `credit` out. A transmitting end may start a
+// message when it has been told that the fabric is ready (at first it is), and not again before it
+// is told so again, by `done` with its flag or by `ready`.
+//
+// Messages travel by address. The bytes belong to the sender's port, which uses a place again only
+// when the credits prove that the message has been consumed: so nothing is allocated for a message,
+// and one side at a time touches it.
+#pragma once
+
+#include "machine/kernel/event.hpp"
+#include "machine/kernel/time.hpp"
+#include "topologies/topology.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rasterloom {
+
+using topology::NodeIndex;
+
+struct Message {
+    std::uint64_t id = 0;  // see MessageRecord
+    NodeIndex source = 0;
+    std::uint8_t port = 0;  // of the source
+    std::vector<std::uint8_t> bytes;
+    Time queued;
+    Time started;
+    Time delivered;
+};
+
+// The life of a message over one hop, as observers are told when it is consumed.
+struct MessageRecord {
+    std::uint64_t id = 0;  // source node x 2^32 + how many the source had sent before
+    NodeIndex source = 0;
+    std::uint8_t port = 0;
+    NodeIndex destination = 0;
+    std::uint32_t bytes = 0;
+    std::uint8_t kind = 0;  // byte 0, by the programs' convention
+    std::uint8_t hops = 0;  // byte 1, likewise; 0 for a message of one byte
+    Time queued;            // the program wrote TXLEN
+    Time started;           // the link took it
+    Time delivered;         // it stood in the receiver's input queue
+    Time consumed;          // the receiving program wrote RXADDR
+};
+
+// Kinds of event at message ports.
+enum class MessageEvent : EventKind {
+    transmit,  // node -> fabric; payload: Message*
+    done,   // fabric -> sender: the message in transfer has left the output queue; payload 1: ready
+            // for the next
+    ready,  // fabric -> sender: the next may start
+    deliver,  // fabric -> receiver; payload: Message*
+    credit,   // receiver -> fabric: a place in the input queue is free again
+};
+
+// Kinds of event between a node and the supervisor.
+enum class SupervisorEvent : EventKind {
+    credit,  // node -> supervisor; payload: the signed word, as 64 bits
+    phase,   // supervisor -> node; payload: the value that PHASE shows
+};
+
+// What PHASE shows when the run is over.
+inline constexpr std::uint16_t kRunOver = 0177777;
+
+inline std::uint64_t to_payload(Message* message) {
+    return reinterpret_cast<std::uintptr_t>(message);
+}
+inline Message* message_of(const Event& event) {
+    return reinterpret_cast<Message*>(static_cast<std::uintptr_t>(event.payload));
+}
+
+}  // namespace rasterloom

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What a processor tells whoever observes it.
+#pragma once
+
+#include "machine/node/message.hpp"
+
+#include <cstdint>
+
+namespace rasterloom {
+
+enum class NodeState : std::uint8_t {
+    busy,               // executes instructions
+    waiting_input,      // stalled until a message came
+    waiting_output,     // stalled until an output queue had room
+    waiting_phase,      // stalled until the next phase was announced
+    waiting_interrupt,  // after a wait-for-interrupt instruction
+};
+inline constexpr int kNodeStates = 5;
+inline constexpr int kActivities = 16;  // what MARK can name
+
+// A node's time line is its intervals one after the other; after the last it is halted. A stall
+// that several things could have ended bears the name of the one that did.
+struct StateInterval {
+    NodeIndex node = 0;
+    NodeState state = NodeState::busy;
+    std::uint8_t activity = 0;  // as MARK named it last
+    Time from;
+    Time to;
+};
+
+class NodeListener {
+  public:
+    virtual ~NodeListener() = default;
+    virtual void message_consumed(const MessageRecord&) {}
+    // Intervals of one node come in order; those of different nodes do not, because a processor may
+    // run ahead.
+    virtual void interval_ended(const StateInterval&) {}
+};
+
+}  // namespace rasterloom

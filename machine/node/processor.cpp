@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+#include "machine/node/processor.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace rasterloom {
+
+namespace {
+
+// Cycles that a core runs without coming back: long enough to cost nothing, short enough for a
+// progress bar.
+constexpr std::int64_t kSlice = 65'536;
+// Accesses to the I/O page in a row without the event queue, likewise.
+constexpr int kMaxAdvances = 4'096;
+// Where a cost model makes instructions free, a program may loop for ever at one time.
+constexpr int kMaxStepsInNoTime = 1'000'000;
+
+}  // namespace
+
+Processor::Processor(std::string name, std::unique_ptr<isa::Core> core, const Settings& settings)
+    : Component(std::move(name)),
+      settings_(settings),
+      core_(std::move(core)),
+      ports_(settings.node, settings.ports),
+      port_states_(static_cast<std::size_t>(settings.ports.ports)),
+      meter_(settings.node) {
+    if (settings.max_message < 1) {
+        throw std::invalid_argument(fmt::format("{}: max_message is at least 1 byte, not {}",
+                                                this->name(), settings.max_message));
+    }
+    for (int port = 0; port < settings.ports.ports; ++port) {
+        add_port(fmt::format("transmit {}", port));
+        add_port(fmt::format("receive {}", port));
+    }
+    if (settings.supervised) {
+        add_port("supervisor");
+    }
+}
+
+void Processor::start() {
+    wake_at(Time::zero(), 0);
+}
+
+void Processor::handle(const Event& event) {
+    if (event.phase() == EventPhase::arrival) {
+        handle_arrival(event);
+    } else {
+        proceed();
+    }
+}
+
+// Executes until control has to go back to the event queue.
+void Processor::proceed() {
+    advances_ = 0;
+    bool going = true;
+    while (going) {
+        switch (next_) {
+            case Next::run:
+                going = run_private_instructions();
+                break;
+            case Next::step:
+                going = step_io_instruction();
+                break;
+            case Next::wait:
+                going = finish_wait();
+                break;
+            case Next::halt:
+                meter_.halt(local_time_);
+                next_ = Next::nothing;
+                going = false;
+                break;
+            case Next::fail:
+                fail();
+                going = false;
+                break;
+            case Next::nothing:
+                going = false;
+                break;
+        }
+    }
+    meter_.count(core_->instructions_retired(), cycles_executed_);
+}
+
+// Lets everything that happens before the processor's own time happen. True when nothing does; else
+// the processor has to give up control, and will be given it back at that time.
+bool Processor::reach_local_time() {
+    if (now() == local_time_) {
+        return true;
+    }
+    if (settings_.run_ahead && ++advances_ < kMaxAdvances &&
+        scheduler().advance_to(own_key(local_time_))) {
+        return true;
+    }
+    wake_at(local_time_, 0);
+    return false;
+}
+
+std::int64_t Processor::budget() const {
+    if (enabled_interrupts_ == 0) {
+        return kSlice;
+    }
+    // The next event anywhere can reach this node one tick later at the earliest; one that reaches
+    // it now has come already.
+    const Time horizon = scheduler().horizon().time;
+    if (horizon == Time::never()) {
+        return kSlice;
+    }
+    return std::clamp<std::int64_t>(settings_.clock.edge_at_or_after(horizon).count() - cycle_, 1,
+                                    kSlice);
+}
+
+void Processor::spend(std::int64_t cycles) {
+    if (cycles > 0) {
+        cycle_ += cycles;
+        cycles_executed_ += cycles;
+        local_time_ = settings_.clock.edge(Cycles(cycle_));
+        steps_in_no_time_ = 0;
+    }
+}
+
+bool Processor::run_private_instructions() {
+    if (enabled_interrupts_ > 0 && !reach_local_time()) {
+        return false;
+    }
+    interrupt_requested_ = false;
+    return settle(core_->run(budget()));
+}
+
+bool Processor::step_io_instruction() {
+    if (enabled_interrupts_ > 0 && !reach_local_time()) {
+        return false;
+    }
+    must_catch_up_ = false;
+    stall_ = Stall::none;
+    accesses_ = 0;
+    interrupt_requested_ = false;
+    const isa::Stop stop = core_->step(*this);
+    if (!error_.empty()) {
+        return report_guest_error(std::move(error_), core_->program_counter());
+    }
+    if (stop.reason != isa::StopReason::retry) {
+        if (++steps_in_no_time_ == kMaxStepsInNoTime) {
+            return report_guest_error(
+                "the program loops for ever in no time: its instructions cost nothing",
+                core_->program_counter());
+        }
+        return settle(stop);
+    }
+    if (!must_catch_up_) {
+        meter_.begin_stall(local_time_);
+    }
+    return false;
+}
+
+// What follows from the core's coming back.
+bool Processor::settle(const isa::Stop& stop) {
+    spend(stop.cycles);
+    switch (stop.reason) {
+        case isa::StopReason::io:
+            next_ = Next::step;
+            return true;
+        case isa::StopReason::wait:
+            next_ = Next::wait;
+            break;
+        case isa::StopReason::halt:
+            next_ = Next::halt;
+            break;
+        case isa::StopReason::trap:
+            return report_guest_error(fmt::format("{} {}", stop.trap->what,
+                                                  format_word(stop.trap->address, settings_.radix)),
+                                      stop.trap->pc);
+        case isa::StopReason::budget:
+            if (next_ == Next::step) {  // an access, not a slice: private instructions follow
+                next_ = Next::run;
+                return true;
+            }
+            break;
+        case isa::StopReason::retry:
+            throw InvariantError(now(), name(), "the core answers retry where none was given");
+    }
+    return reach_local_time();
+}
+
+// A wait-for-interrupt instruction is over at once when a request came while the others caught up.
+bool Processor::finish_wait() {
+    next_ = Next::run;
+    if (interrupt_requested_) {
+        return true;
+    }
+    stall_ = Stall::interrupt;
+    meter_.begin_stall(local_time_);
+    return false;
+}
+
+bool Processor::stall_is_over() const {
+    switch (stall_) {
+        case Stall::none:
+            return false;
+        case Stall::transmit:
+            return ports_.has_room(static_cast<int>(stall_argument_));
+        case Stall::receive:
+            return ports_.waiting(static_cast<int>(stall_argument_)) > 0;
+        case Stall::wait_for:
+            return wait_mask_holds(stall_argument_);
+        case Stall::interrupt:
+            return interrupt_requested_;
+    }
+    return false;
+}
+
+// What ended the stall, or while it lasts what it is most likely to be.
+NodeState Processor::kind_of_stall() const {
+    switch (stall_) {
+        case Stall::transmit:
+            return NodeState::waiting_output;
+        case Stall::receive:
+            return NodeState::waiting_input;
+        case Stall::interrupt:
+            return NodeState::waiting_interrupt;
+        case Stall::none:
+        case Stall::wait_for:
+            break;
+    }
+    if ((stall_argument_ & kWaitMessage) != 0 && ports_.any_waiting()) {
+        return NodeState::waiting_input;
+    }
+    if ((stall_argument_ & kWaitRoom & ports_.room()) != 0) {
+        return NodeState::waiting_output;
+    }
+    if ((stall_argument_ & kWaitPhase) != 0) {
+        return NodeState::waiting_phase;
+    }
+    return (stall_argument_ & kWaitRoom) != 0 ? NodeState::waiting_output
+                                              : NodeState::waiting_input;
+}
+
+void Processor::resume() {
+    const NodeState was = kind_of_stall();
+    cycle_ = std::max(cycle_, settings_.clock.edge_at_or_after(now()).count());
+    local_time_ = settings_.clock.edge(Cycles(cycle_));
+    meter_.end_stall(was, local_time_);
+    stall_ = Stall::none;
+    if (settings_.run_ahead && scheduler().advance_to(own_key(local_time_))) {
+        proceed();
+    } else {
+        wake_at(local_time_, 0);
+    }
+}
+
+void Processor::handle_arrival(const Event& event) {
+    if (settings_.supervised && event.port == supervisor_port()) {
+        handle_phase(static_cast<std::uint16_t>(event.payload));
+    } else {
+        const int port = static_cast<int>(event.port) / 2;
+        const PortState& state = port_states_[static_cast<std::size_t>(port)];
+        switch (static_cast<MessageEvent>(event.kind)) {
+            case MessageEvent::deliver:
+                if (!ports_.deliver(port, message_of(event), now())) {
+                    throw InvariantError(now(), name(),
+                                         fmt::format("input queue {} overflows", port));
+                }
+                if (state.receive_interrupt && ports_.waiting(port) == 1) {
+                    request(receive_vector(port));
+                }
+                break;
+            case MessageEvent::done:
+                if (state.transmit_interrupt && !ports_.has_room(port)) {
+                    request(transmit_vector(port));
+                }
+                ports_.transfer_done(port, event.payload != 0, now());
+                transmit();
+                break;
+            case MessageEvent::ready:
+                ports_.link_ready(port, now());
+                transmit();
+                break;
+            default:
+                throw InvariantError(now(), name(), "an event that no node expects");
+        }
+    }
+    if (stall_is_over()) {
+        resume();
+    }
+}
+
+void Processor::handle_phase(std::uint16_t phase) {
+    phase_ = phase;
+    if (phase != kRunOver) {
+        meter_.begin_phase(now(), kind_of_stall(), core_->instructions_retired());
+    }
+}
+
+// Nobody may fail at an earlier time and be overlooked: so the error waits until everybody has
+// caught up.
+bool Processor::report_guest_error(std::string what, std::uint32_t program_counter) {
+    next_ = Next::fail;
+    error_ = std::move(what);
+    error_at_ = program_counter;
+    return reach_local_time();
+}
+
+void Processor::fail() {
+    GuestError::Details details;
+    details.node = settings_.node;
+    details.cycle = cycle_;
+    details.program_counter = error_at_;
+    if (settings_.image != nullptr) {
+        if (const auto* source = settings_.image->source_of(details.program_counter)) {
+            details.source = *source;
+        }
+    }
+    for (std::size_t i = 0; i < settings_.register_names.size(); ++i) {
+        details.registers.emplace_back(settings_.register_names[i],
+                                       core_->reg(static_cast<int>(i)));
+    }
+    details.radix = settings_.radix;
+    details.what = error_;
+    next_ = Next::nothing;
+    meter_.halt(local_time_);
+    scheduler().fail(std::make_shared<GuestError>(local_time_, name(), std::move(details)));
+}
+
+void Processor::close_books(Time end) {
+    meter_.count(core_->instructions_retired(), cycles_executed_);
+    meter_.close(kind_of_stall(), std::max(end, local_time_));
+}
+
+std::optional<std::string> Processor::waits_for() const {
+    std::string what;
+    switch (stall_) {
+        case Stall::none:
+            return std::nullopt;
+        case Stall::transmit:
+            what = fmt::format("room in the output queue of port {} ({} messages)", stall_argument_,
+                               ports_.used(static_cast<int>(stall_argument_)));
+            break;
+        case Stall::receive:
+            what = fmt::format("a message at port {}", stall_argument_);
+            break;
+        case Stall::wait_for:
+            what = fmt::format("WAITFOR {}", format_word(stall_argument_, settings_.radix));
+            what += (stall_argument_ & kWaitMessage) != 0 ? ", a message" : "";
+            what += (stall_argument_ & kWaitPhase) != 0
+                        ? fmt::format(", the phase after {}", phase_read_)
+                        : "";
+            what += (stall_argument_ & kWaitRoom) != 0 ? ", room to send" : "";
+            break;
+        case Stall::interrupt:
+            what = "an interrupt";
+            break;
+    }
+    what += fmt::format(" since {}, at {}", to_string(local_time_),
+                        format_word(core_->program_counter(), settings_.radix));
+    if (settings_.image != nullptr) {
+        if (const auto* source = settings_.image->source_of(core_->program_counter())) {
+            what += fmt::format(", {}:{}", source->file, source->line);
+        }
+    }
+    return what;
+}
+
+}  // namespace rasterloom

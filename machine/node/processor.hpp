@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// A node: a core on a clock, with the message ports and registers of programs/README.md.
+//
+// Time. An instruction begins on an edge of the clock; its accesses to the I/O page happen at that
+// time. A stalled access is tried again at the first edge at which it can succeed, and then costs
+// its instruction once. Interrupts wait while an access is stalled.
+//
+// Running ahead. Private instructions cost no event: the core runs until its next access to the I/O
+// page, which may be far ahead of the rest of the machine, and only there lets the others catch up
+// (reach_local_time). CREDIT, TXADDR and MARK need nobody to catch up: their effects leave with the
+// core's own time. While a port's interrupt is enabled the core runs only to its horizon, the
+// earliest time at which anything else happens. A slice of the budget bounds every run, so that the
+// event loop sees even a program that loops for ever. None of this changes what is computed, or
+// when.
+#pragma once
+
+#include "isa/core.hpp"
+#include "isa/image.hpp"
+#include "machine/kernel/clock.hpp"
+#include "machine/kernel/component.hpp"
+#include "machine/node/activity_meter.hpp"
+#include "machine/node/guest_error.hpp"
+#include "machine/node/message_ports.hpp"
+#include "machine/node/registers.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rasterloom {
+
+class Processor final : public Component, private isa::Bus {
+  public:
+    struct Settings {
+        NodeIndex node = 0;
+        Clock clock = Clock::with_period(Duration::microseconds(1));
+        MessagePorts::Settings ports;
+        int max_message = 256;  // bytes; at least 1
+        bool supervised =
+            true;  // has a wire to a supervisor; else PHASE stays 0 and CREDIT is a guest error
+        bool run_ahead = true;  // false: every access to the I/O page goes through the event queue,
+                                // for tests and comparisons
+        // For messages only.
+        std::shared_ptr<const isa::Image> image;  // where a program counter comes from; may be null
+        std::vector<std::string> register_names;  // isa::Core::reg(i)
+        int radix = 8;                            // 8 or 16
+    };
+
+    // Throws std::invalid_argument when a number is out of range.
+    Processor(std::string name, std::unique_ptr<isa::Core> core, const Settings& settings);
+
+    // The wires of message port k, and the one to the supervisor (only if supervised).
+    static PortIndex transmit_port(int k) { return static_cast<PortIndex>(2 * k); }
+    static PortIndex receive_port(int k) { return static_cast<PortIndex>(2 * k + 1); }
+    PortIndex supervisor_port() const { return static_cast<PortIndex>(2 * ports_.count()); }
+
+    NodeIndex node() const { return settings_.node; }
+    isa::Core& core() {
+        return *core_;
+    }  // to load and to inspect; not while the processor executes
+    const isa::Core& core() const { return *core_; }
+    const MessagePorts& message_ports() const { return ports_; }
+    bool halted() const { return next_ == Next::nothing; }
+    std::uint16_t phase() const { return phase_; }
+    // How far the processor has executed: at or after the simulation's now, unless it is stalled.
+    Time local_time() const { return local_time_; }
+    const NodeStatistics& statistics() const { return meter_.statistics(); }
+    Probe<NodeListener>& probe() { return meter_.probe(); }
+    // Ends the interval in progress at `end`, for the books; to be called once, after the last run.
+    void close_books(Time end);
+
+    void start() override;
+    void handle(const Event& event) override;
+    std::optional<std::string> waits_for() const override;
+
+  private:
+    // What the processor does when it next has control.
+    enum class Next : std::uint8_t { run, step, wait, halt, fail, nothing };
+    // Why a stalled access cannot go on.
+    enum class Stall : std::uint8_t { none, transmit, receive, wait_for, interrupt };
+
+    // processor.cpp: events and the loop of execution.
+    void proceed();
+    bool run_private_instructions();
+    bool step_io_instruction();
+    bool settle(const isa::Stop& stop);
+    bool finish_wait();
+    void spend(std::int64_t cycles);
+    bool reach_local_time();
+    std::int64_t budget() const;
+    void handle_arrival(const Event& event);
+    void handle_phase(std::uint16_t phase);
+    bool stall_is_over() const;
+    NodeState kind_of_stall() const;
+    void resume();
+    bool report_guest_error(std::string what, std::uint32_t program_counter);
+    void fail();
+
+    // processor_io.cpp: the registers.
+    Read read(std::uint32_t address, int bytes) override;
+    Status write(std::uint32_t address, std::uint32_t value, int bytes) override;
+    std::optional<std::uint32_t> read_port(int port, PortRegister which) const;
+    std::optional<std::uint32_t> read_node(NodeRegister which);
+    Status write_port(int port, PortRegister which, std::uint32_t value);
+    Status write_node(NodeRegister which, std::uint32_t value);
+    Status write_txlen(int port, std::uint32_t bytes);
+    Status write_rxaddr(int port, std::uint32_t address);
+    Status write_waitfor(std::uint32_t mask);
+    Status write_credit(std::uint32_t value);
+    Status stall(Stall kind, std::uint32_t argument);
+    Status refuse(std::string what);
+    bool wait_mask_holds(std::uint32_t mask) const;
+    void tell_consumed(const Message& message) const;
+    void transmit();
+    void enable_interrupt(int port, bool receive, bool enable);
+    void request(std::uint32_t vector);
+
+    struct PortState {
+        std::uint32_t transmit_address = 0;
+        bool transmit_interrupt = false;
+        bool receive_interrupt = false;
+    };
+
+    Settings settings_;
+    std::unique_ptr<isa::Core> core_;
+    MessagePorts ports_;
+    std::vector<PortState> port_states_;
+    ActivityMeter meter_;
+
+    Next next_ = Next::run;
+    std::string error_;           // to be reported as a guest error when everybody has caught up
+    std::uint32_t error_at_ = 0;  // address of the instruction that made it
+    std::int64_t cycle_ = 0;      // edge of the clock at which the next instruction begins
+    std::int64_t cycles_executed_ = 0;
+    Time local_time_;   // of that edge
+    int advances_ = 0;  // without the event queue, since the processor was last given control
+    int enabled_interrupts_ = 0;
+    bool interrupt_requested_ = false;  // since the core last ran
+
+    Stall stall_ = Stall::none;
+    std::uint32_t stall_argument_ = 0;  // the port, or the mask written to WAITFOR
+    bool must_catch_up_ = false;        // the access was put off until the others have caught up
+    int accesses_ = 0;                  // to the I/O page, by the instruction in progress
+    int steps_in_no_time_ = 0;          // such instructions since the local time last moved
+
+    std::uint16_t phase_ = 0;
+    std::uint16_t phase_read_ = 0;  // what the program read from PHASE last
+};
+
+}  // namespace rasterloom
