@@ -301,6 +301,10 @@ std::string octal(unsigned value) {
     return value < 8 ? fmt::format("{}", value) : fmt::format("0{:o}", value);
 }
 
+std::string signed_octal(unsigned word) {
+    return word < 0x8000 ? octal(word) : fmt::format("-{}", octal(0x10000 - word));
+}
+
 std::string word_directive(unsigned word) {
     return fmt::format(".word 0{:05o}", word);
 }
@@ -370,9 +374,11 @@ class Decoder {
             case 1:
                 return fmt::format("({})", name(number));
             case 2:
+                return number == kPc ? fmt::format("#{}", signed_octal(next_word()))
+                                     : fmt::format("({})+", name(number));
             case 3:
-                return number == kPc ? fmt::format("{}#{}", at, octal(next_word()))
-                                     : fmt::format("{}({})+", at, name(number));
+                return number == kPc ? fmt::format("@#{}", octal(next_word()))
+                                     : fmt::format("@({})+", name(number));
             case 4:
             case 5:
                 return fmt::format("{}-({})", at, name(number));
@@ -384,9 +390,7 @@ class Decoder {
             return fmt::format(
                 "{}{}", at, octal((address_ + 2 * static_cast<unsigned>(used_) + word) & 0xffff));
         }
-        const bool negative = word >= 0x8000;
-        return fmt::format("{}{}{}({})", at, negative ? "-" : "",
-                           octal(negative ? 0x10000 - word : word), name(number));
+        return fmt::format("{}{}({})", at, signed_octal(word), name(number));
     }
 
     unsigned next_word() {
