@@ -99,7 +99,6 @@ Exit Pdp11Core::step_privately(std::int64_t& cycles) {
     if (outcome.exit == Exit::io)
         return Exit::io;
     cycles += outcome.cycles;
-    traps_ += outcome.traps;
     ++retired_;
     if (outcome.cycles == 0 && --m_->free_branches <= 0)
         return Exit::endless;
@@ -116,7 +115,6 @@ Exit Pdp11Core::take_interrupt(std::int64_t& cycles) {
     update_requested();
     waiting_ = false;
     cycles += outcome.cycles;
-    traps_ += outcome.traps;
     return outcome.exit;
 }
 
@@ -131,7 +129,6 @@ Stop Pdp11Core::step(Bus& bus) {
     const Interpreter::Outcome outcome = Interpreter(*m_, &bus).step();
     if (outcome.exit == Exit::io)
         return {StopReason::retry, 0, std::nullopt};
-    traps_ += outcome.traps;
     ++retired_;
     return stop(outcome.exit, outcome.cycles);
 }

@@ -45,7 +45,9 @@ class Pdp11Core final : public Core {
 
     // For tests: traps and interrupts taken, and blocks of decoded code not shared with other
     // cores.
-    std::int64_t traps_taken() const { return traps_; }
+    std::int64_t traps_taken() const { return m_->traps; }
+    // Status words loaded that ask for processor modes, which this model has not.
+    std::int64_t mode_bits_dropped() const { return m_->mode_bits_dropped; }
     std::size_t own_blocks() const { return cache_.own_blocks(); }
 
   private:
@@ -71,7 +73,6 @@ class Pdp11Core final : public Core {
     std::vector<Request> requests_;
     bool waiting_ = false;
     std::int64_t retired_ = 0;
-    std::int64_t traps_ = 0;
 };
 
 }  // namespace rasterloom::isa::pdp11

@@ -375,7 +375,7 @@ Interpreter::Outcome Interpreter::step() {
     if (abort_ == Abort::io || abort_ == Abort::retry) {
         m_.r = registers;
         m_.flags = flags;
-        return {Exit::io, abort_ == Abort::retry, 0, 0};
+        return {Exit::io, 0};
     }
     // A bus error makes an end of the instruction: neither its trace trap nor its stack warning is
     // taken.

@@ -36,9 +36,7 @@ class Interpreter {
 
     struct Outcome {
         Exit exit = Exit::proceed;
-        bool not_ready = false;  // with Exit::io: a device answered retry; nothing happened
         std::int64_t cycles = 0;
-        int traps = 0;  // traps taken
     };
     // The instruction at r[7], and the traps it leads to.
     Outcome step();

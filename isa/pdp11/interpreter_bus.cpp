@@ -112,8 +112,10 @@ bool Interpreter::bus_write(std::uint16_t address, std::uint32_t value, int byte
 // The T bit cannot be written here, only by RTI, RTT and traps. The upper byte holds nothing on
 // this model.
 void Interpreter::write_status(std::uint16_t address, std::uint32_t value, bool byte) {
-    if (byte && address != kStatusWord)
+    if (byte && address != kStatusWord) {
+        m_.mode_bits_dropped += value != 0 ? 1 : 0;
         return;
+    }
     const bool trace_bit = m_.trace;
     m_.set_status_word(value);
     m_.trace = trace_bit;
@@ -129,14 +131,17 @@ void Interpreter::report(Outcome& outcome, const char* what, std::uint16_t vecto
 
 // Pushes status and address, loads both from the vector. False when that ends the run.
 bool Interpreter::vector_through(std::uint16_t vector, Outcome& outcome) {
-    ++outcome.traps;
+    ++m_.traps;
     const std::uint16_t old_status = m_.status_word();
     const std::uint16_t old_pc = m_.r[kProgramCounter];
     const std::uint16_t new_pc = m_.load_word(vector);
     const std::uint16_t new_status = m_.load_word(static_cast<std::uint16_t>(vector + 2U));
     const auto sp = static_cast<std::uint16_t>(m_.r[kStackPointer] - 2U);
     const auto top = static_cast<std::uint16_t>(m_.r[kStackPointer] - 4U);
-    if (Machine::word_index(sp) >= m_.memory_words || Machine::word_index(top) >= m_.memory_words) {
+    const auto can_hold = [this](std::uint16_t address) {
+        return Machine::word_index(address) < m_.memory_words || address == kStatusWord;
+    };
+    if (!can_hold(sp) || !can_hold(top)) {
         if (m_.report_unhandled && m_.load_word(4) == 0) {
             address_ = sp;
             report(outcome, "the stack pointer is no place to save status and address", 4);

@@ -65,6 +65,8 @@ struct Machine {
     const Program* program;
     CodeCache* cache;
     Fault fault;
+    std::int64_t traps;              // taken, interrupts included
+    std::int64_t mode_bits_dropped;  // status words loaded whose upper byte this model has not
     std::array<const Entry*, kBlocks + 1>
         blocks;  // decoded code by address; null where none is yet
     std::array<std::uint32_t, kIoPage / 64 + 2> code;
@@ -74,6 +76,9 @@ struct Machine {
         return static_cast<std::uint16_t>(flags.codes() | (trace ? 020U : 0U) | (priority << 5));
     }
     void set_status_word(unsigned value) {
+        if ((value & 0177400U) != 0) {
+            ++mode_bits_dropped;
+        }
         flags.set_codes(value);
         trace = (value & 020U) != 0;
         priority = static_cast<std::uint8_t>((value >> 5) & 7U);
