@@ -156,7 +156,7 @@ class RoutingOn : public ::testing::TestWithParam<std::pair<int, int>> {
 TEST_P(RoutingOn, DeliversMessagesFromEveryNodeToEveryNodeOrItsNeighbour) {
     const RoutingTable table = make_routing_table(graph_, kNorth);
     const bool is_long = std::getenv("RASTERLOOM_LONG_TESTS") != nullptr;
-    const std::size_t step = is_long ? 1 : 1 + graph_.nodes.size() / 500;
+    const std::size_t step = is_long ? 1 : 1 + graph_.nodes.size() / 300;
     for (NodeIndex to = 0; to < graph_.nodes.size(); to += static_cast<NodeIndex>(step)) {
         const RouteTarget target = make_target(table.nodes[to].phi, table.nodes[to].theta);
         for (const Router route : {small_circle_port, great_circle_port}) {
@@ -186,7 +186,8 @@ TEST_P(RoutingOn, EndsAtMostTwoHopsFromTheNearestNodeForAnyAxisAndTarget) {
     rc::check([&] {
         const RoutingTable table = make_routing_table(graph_, random_axis());
         const NearestNode nearest(table);
-        for (int repeat = 0; repeat < 5; ++repeat) {
+        const int targets = graph_.nodes.size() > 1000 ? 1 : 5;
+        for (int repeat = 0; repeat < targets; ++repeat) {
             const RouteTarget target = random_target();
             const auto distance = distances_from(graph_, nearest.to(target));
             for (const Router route : {small_circle_port, great_circle_port}) {
@@ -222,6 +223,30 @@ TEST(FollowAll, AgreesWithFollowingEachMessage) {
             }
         }
     }
+}
+
+// Mean hops over all pairs of 482 nodes: 9.77 by shortest paths, 10.34 by small-circle, 9.78 by
+// great-circle.
+TEST(Routing, TakesSixPercentMoreHopsThanNeededBySmallCircleAndHardlyAnyByGreatCircle) {
+    const Topology t = geodesic(4, 4);
+    const RoutingTable table = make_routing_table(t, kNorth);
+    double shortest = 0;
+    double small = 0;
+    double great = 0;
+    for (NodeIndex to = 0; to < t.nodes.size(); ++to) {
+        const RouteTarget target = make_target(table.nodes[to].phi, table.nodes[to].theta);
+        const auto distance = distances_from(t, to);
+        const auto by_small = follow_all(t, table, small_circle_port, target);
+        const auto by_great = follow_all(t, table, great_circle_port, target);
+        for (NodeIndex from = 0; from < t.nodes.size(); ++from) {
+            ASSERT_GE(by_small[from].hops, distance[from]);
+            shortest += distance[from];
+            small += by_small[from].hops;
+            great += by_great[from].hops;
+        }
+    }
+    EXPECT_NEAR(small / shortest, 1.058, 0.001);
+    EXPECT_NEAR(great / shortest, 1.001, 0.001);
 }
 
 // Strothotte 1981, 5.2.2: rotation by 6, 30 and 180 degrees takes 2, 5 and 26 rounds, the longest

@@ -36,7 +36,7 @@ TEST_P(WalkOn, ReachesTheOwnerOfThePixelFromEveryNode) {
     const ScreenMap map = nearest_pixel_map(t, width, height);
     const WalkTable walk = make_walk_table(t, map);
     const bool is_long = std::getenv("RASTERLOOM_LONG_TESTS") != nullptr;
-    const int step = is_long ? 1 : 1 + static_cast<int>(t.nodes.size()) * 3 / 200;
+    const int step = is_long ? 1 : 1 + static_cast<int>(t.nodes.size()) / 40;
     for (int pixel = 0; pixel < width * height; pixel += step) {
         const int x = pixel % width;
         const int y = pixel / width;
