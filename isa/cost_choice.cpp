@@ -47,9 +47,10 @@ ResolvedCosts resolve_costs(std::string_view isa_name, std::span<const CostModel
     for (const auto& [name, value] : choice.overrides) {
         const std::size_t index =
             index_of(name, names, fmt::format("cost model '{}'", model.name), "parameter");
-        if (value < 0) {
-            throw std::invalid_argument(fmt::format(
-                "cost parameter '{}' is {}; a number from 0 on is expected", name, value));
+        if (value < 0 || value > kHighestCost) {
+            throw std::invalid_argument(
+                fmt::format("cost parameter '{}' is {}; 0 to {} cycles are expected", name, value,
+                            kHighestCost));
         }
         resolved.values[index] = value;
     }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "isa/pdp11/costs.hpp"
 
+#include "isa/cost_choice.hpp"
 #include "isa/pdp11/alu.hpp"
 #include "isa/pdp11/instruction_table.hpp"
 
-#include <stdexcept>
-#include <string>
+#include <map>
+#include <string_view>
 
 namespace rasterloom::isa::pdp11 {
 namespace {
-
-constexpr std::int64_t kHighestParameter = 10'000;
 
 const std::vector<CostModelInfo>& models() {
     static const std::vector<CostModelInfo> table = {
@@ -30,26 +29,6 @@ const std::vector<CostModelInfo>& models() {
           {"trap", 4, "taking a trap or interrupt"}}},
     };
     return table;
-}
-
-template <typename Range, typename Name>
-std::string listing(const Range& range, Name name) {
-    std::string text;
-    for (const auto& item : range) {
-        text += (text.empty() ? "" : ", ") + std::string(name(item));
-    }
-    return text;
-}
-
-const CostModelInfo& find_model(const std::string& name) {
-    if (name.empty())
-        return models().front();
-    for (const CostModelInfo& model : models()) {
-        if (model.name == name)
-            return model;
-    }
-    throw std::invalid_argument("pdp11 has no cost model '" + name + "'; it has " +
-                                listing(models(), [](const CostModelInfo& m) { return m.name; }));
 }
 
 bool is_trap_instruction(Operation op) {
@@ -93,26 +72,12 @@ std::span<const CostModelInfo> cost_models() {
 }
 
 CostModel::CostModel(const CostChoice& choice) {
-    const CostModelInfo& info = find_model(choice.model);
+    const ResolvedCosts resolved = resolve_costs("pdp11", models(), choice);
+    const CostModelInfo& info = models()[resolved.model];
     kind_ = info.name == "parks" ? Kind::parks : Kind::strothotte;
-    std::map<std::string, std::int64_t, std::less<>> values;
-    for (const CostParameter& parameter : info.parameters)
-        values.emplace(parameter.name, parameter.value);
-    for (const auto& [name, value] : choice.overrides) {
-        const auto found = values.find(name);
-        if (found == values.end()) {
-            throw std::invalid_argument(
-                "cost model '" + std::string(info.name) + "' has no parameter '" + name +
-                "'; it has " +
-                listing(info.parameters, [](const CostParameter& p) { return p.name; }));
-        }
-        if (value < 0 || value > kHighestParameter) {
-            throw std::invalid_argument("cost parameter '" + name + "' is " +
-                                        std::to_string(value) + "; expected 0 to " +
-                                        std::to_string(kHighestParameter));
-        }
-        found->second = value;
-    }
+    std::map<std::string_view, std::int64_t> values;
+    for (std::size_t i = 0; i < resolved.values.size(); ++i)
+        values.emplace(info.parameters[i].name, resolved.values[i]);
     // A parameter the model does not have stays 0 and is not used.
     autoincrement_ = values["autoincrement"];
     arithmetic_ = values["arithmetic"];
