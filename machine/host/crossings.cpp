@@ -60,10 +60,9 @@ Hit make_hit(const Surface& surface, std::uint32_t t, const Barycentric& place,
             place.is_wound_outward};
 }
 
-// What the outermost crossings of each piece say about it.
 struct Votes {
-    std::int64_t outward = 0;   // less those that face inwards
-    std::int64_t enclosed = 0;  // less those not inside other closed pieces
+    std::int64_t outward = 0;   // less those for inward
+    std::int64_t enclosed = 0;  // less those for not inside other closed pieces
 };
 
 std::vector<Votes> count_votes(const Surface& surface, const std::vector<std::vector<Hit>>& hits) {
@@ -73,7 +72,10 @@ std::vector<Votes> count_votes(const Surface& surface, const std::vector<std::ve
         seen.clear();
         for (const auto& hit : line) {
             const auto piece = surface.triangles[hit.triangle].piece;
-            if (std::find(seen.begin(), seen.end(), piece) == seen.end()) {
+            const bool is_outermost = std::find(seen.begin(), seen.end(), piece) == seen.end();
+            if (!surface.pieces[piece].is_closed) {
+                votes[piece].outward += hit.is_outward == (seen.size() % 2 == 0) ? 1 : -1;
+            } else if (is_outermost) {
                 votes[piece].outward += hit.is_outward ? 1 : -1;
                 const auto walls = std::count_if(
                     seen.begin(), seen.end(), [&](auto p) { return surface.pieces[p].is_closed; });
@@ -104,25 +106,14 @@ std::vector<bool> pieces_to_turn(const Surface& surface,
     return turned;
 }
 
-void turn_over(Hit& hit) {
-    hit.is_outward = !hit.is_outward;
-    hit.normal = -hit.normal;
-}
-
 void choose_outside(const Surface& surface, RadialSamples& samples) {
     const auto turned = pieces_to_turn(surface, samples.hits);
     for (auto& line : samples.hits)
-        for (std::size_t rank = 0; rank < line.size(); ++rank) {
-            const auto piece = surface.triangles[line[rank].triangle].piece;
-            if (surface.pieces[piece].is_oriented) {
-                if (turned[piece])
-                    turn_over(line[rank]);
-            } else {
-                ++samples.alternated;
-                if (line[rank].is_outward != (rank % 2 == 0))
-                    turn_over(line[rank]);
+        for (auto& hit : line)
+            if (turned[surface.triangles[hit.triangle].piece]) {
+                hit.is_outward = !hit.is_outward;
+                hit.normal = -hit.normal;
             }
-        }
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where the radial lines of the facets cross a surface, and on which side the outside lies there.
 //
-// The outside: the winding of a connected piece decides for all of it, turned over when most of its
-// outermost crossings would face inwards (the thesis' rule 3, 5.1.2, for each piece instead of each
-// line, so that a line that slips through a hole does not turn over what lies behind it). A closed
-// piece inside another one, wound against it, bounds a cavity and faces inwards. A piece without
-// one winding (a Moebius band) falls back to the thesis' alternation: outwards, inwards, ...
+// The outside is chosen for each connected piece as a whole, by a vote of its crossings: the
+// thesis' rule 3 (5.1.2) for each line by itself would turn over whatever lies behind a hole that
+// the line slips through. A closed piece faces outwards at its outermost crossings; but one that
+// lies inside another closed piece and is wound against it bounds a cavity, and faces inwards. An
+// open piece follows rule 3: most of its crossings face outwards where an even number of others lie
+// farther out, inwards where an odd number do.
 #pragma once
 
 #include "machine/host/exact.hpp"
@@ -33,7 +34,6 @@ struct RadialSamples {
     std::vector<exact::Vector> directions;  // of the facets
     std::vector<exact::Vector> points;      // of the surface's positions
     std::vector<std::vector<Hit>> hits;     // hits[facet], from the outermost inwards
-    std::size_t alternated = 0;             // hits of pieces without one winding
 
     // The hit of this facet's line on this triangle.
     std::optional<std::uint32_t> hit_on(std::uint32_t facet, std::uint32_t triangle) const;

@@ -66,7 +66,7 @@ FacetModel sample_facets(const topology::Topology& geodesic, const Mesh& mesh,
         counts.links.dropped += hits.size() - kept;
         counts.most_on_a_line = std::max(counts.most_on_a_line, hits.size());
     }
-    counts.alternated = samples.alternated;
+    counts.cut_edges = surface.cut_edges;
     if (counts.crossings == 0)
         throw std::invalid_argument(
             fmt::format("{}: none of the {} radial lines meets the surface, expected one at least",

@@ -18,7 +18,7 @@ struct FacetOptions {
 
 struct FacetStatistics {
     std::size_t crossings = 0;       // kept
-    std::size_t alternated = 0;      // whose outside was chosen by alternation
+    std::size_t cut_edges = 0;       // of the mesh, where no winding fits both sides
     std::size_t most_on_a_line = 0;  // before the limit
     LinkStatistics links;
 };

@@ -118,6 +118,14 @@ void turn(Mesh& mesh, double degrees) {
     });
 }
 
+void tilt(Mesh& mesh, double degrees) {
+    const double c = topology::cos_degrees(degrees);
+    const double s = topology::sin_degrees(degrees);
+    for_each_vector(mesh, [&](const glm::dvec3& v) {
+        return glm::dvec3{c * v.x - s * v.z, v.y, s * v.x + c * v.z};
+    });
+}
+
 void fit_to_sphere(Mesh& mesh, double radius) {
     if (mesh.positions.empty())
         throw std::invalid_argument(fmt::format("{}: no vertices", mesh.name));

@@ -50,6 +50,10 @@ void orient(Mesh& mesh, const Orientation& orientation);
 // Turns the mesh about the world's +z axis, right-handed.
 void turn(Mesh& mesh, double degrees);
 
+// Leans the mesh towards the viewer, who then sees more of its upper side; right-handed about the
+// world's -y axis.
+void tilt(Mesh& mesh, double degrees);
+
 // Moves the middle of the bounding box to the origin and scales so that the vertex farthest from it
 // has this radius. Throws std::invalid_argument, naming the mesh, when all vertices coincide.
 void fit_to_sphere(Mesh& mesh, double radius = 0.98);

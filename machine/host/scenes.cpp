@@ -16,15 +16,22 @@ Mesh fitted_teapot() {
     return mesh;
 }
 
+Mesh leaning(Mesh mesh, double degrees) {
+    tilt(mesh, degrees);
+    fit_to_sphere(mesh);
+    return mesh;
+}
+
 constexpr std::array<SceneObject, 6> kObjects{{
     {"teapot", "the Utah teapot from its Bezier patches: concave, thin handle, hollow spout",
      &fitted_teapot},
     {"sphere", "an exact sphere of radius 0.98 (Strothotte 1981)", [] { return make_sphere(); }},
     {"cube", "a cube with one face towards the viewer (Strothotte 1981)",
      [] { return make_cube(); }},
-    {"torus", "a ring about the vertical axis: nothing in its middle",
-     [] { return make_torus(0.68, 0.3); }},
-    {"bowl", "a thick-walled bowl, open upwards: concave, with a rim", [] { return make_bowl(); }},
+    {"torus", "a ring, leaning towards the viewer: nothing in its middle",
+     [] { return leaning(make_torus(0.68, 0.3), 50); }},
+    {"bowl", "a thick-walled bowl, leaning towards the viewer: concave, with a rim",
+     [] { return leaning(make_bowl(), 40); }},
     {"hollow_ball", "two concentric spheres: every radial line crosses twice",
      [] { return make_hollow_ball(); }},
 }};

@@ -107,44 +107,95 @@ void turn(Surface& surface, std::vector<Corners>& mesh_corners, std::uint32_t t)
 }
 
 // Two triangles agree when they run along their common edge in opposite directions.
-bool agrees(const Surface& surface, std::uint32_t t, std::uint8_t edge,
-            const Surface::Side& other) {
-    return surface.triangles[t].vertices[edge] !=
+bool agrees(const Surface& surface, const Surface::Side& side) {
+    const auto& other = *surface.triangles[side.triangle].across[side.edge];
+    return surface.triangles[side.triangle].vertices[side.edge] !=
            surface.triangles[other.triangle].vertices[other.edge];
 }
 
-// Spreads the winding of `seed` over everything connected with it.
-void gather_piece(Surface& surface, std::vector<Corners>& mesh_corners, std::uint32_t seed,
-                  std::vector<bool>& seen) {
-    const auto index = static_cast<std::uint32_t>(surface.pieces.size());
-    Surface::Piece piece;
-    std::vector<std::uint32_t> members{seed};
-    seen[seed] = true;
-    std::size_t turned = 0;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-        const auto t = members[k];
-        surface.triangles[t].piece = index;
-        turned += surface.triangles[t].is_turned ? 1U : 0U;
-        for (std::uint8_t e = 0; e < 3; ++e) {
-            const auto side = surface.triangles[t].across[e];
-            if (!side) {
-                piece.is_closed = false;
-            } else if (!seen[side->triangle]) {
-                if (!agrees(surface, t, e, *side))
-                    turn(surface, mesh_corners, side->triangle);
-                seen[side->triangle] = true;
-                members.push_back(side->triangle);
-            } else if (!agrees(surface, t, e, *side)) {
-                piece.is_oriented = false;
+// Everything connected with a triangle, wound as it is.
+class PieceGatherer {
+  public:
+    PieceGatherer(Surface& surface, std::vector<Corners>& mesh_corners)
+        : surface_(surface),
+          mesh_corners_(mesh_corners),
+          index_(static_cast<std::uint32_t>(surface.pieces.size())) {}
+
+    void gather(std::uint32_t seed, std::vector<bool>& seen) {
+        spread(seed, seen);
+        surface_.pieces.push_back({true, static_cast<std::uint32_t>(members_.size())});
+        for (const auto t : members_)
+            for (std::uint8_t e = 0; e < 3; ++e)
+                close_or_cut(t, e);
+        const auto turned = std::count_if(members_.begin(), members_.end(),
+                                          [&](auto t) { return surface_.triangles[t].is_turned; });
+        if (2 * static_cast<std::size_t>(turned) > members_.size())  // the majority decides
+            for (const auto t : members_)
+                turn(surface_, mesh_corners_, t);
+    }
+
+  private:
+    // Whole parts that the file winds alike come before what lies across an edge where it does not,
+    // so that as few triangles as possible are turned, and conflicts come up where the file has
+    // them.
+    void spread(std::uint32_t seed, std::vector<bool>& seen) {
+        std::vector<std::uint32_t> open{seed};
+        std::vector<Surface::Side> deferred;
+        seen[seed] = true;
+        while (!open.empty() || !deferred.empty()) {
+            if (open.empty()) {
+                const auto from = deferred.back();
+                deferred.pop_back();
+                step(from, seen, open);
+                continue;
             }
+            const auto t = open.back();
+            open.pop_back();
+            members_.push_back(t);
+            surface_.triangles[t].piece = index_;
+            for (std::uint8_t e = 0; e < 3; ++e)
+                if (surface_.triangles[t].across[e]) {
+                    if (agrees_in_file(t, e))
+                        step({t, e}, seen, open);
+                    else
+                        deferred.push_back({t, e});
+                }
         }
     }
-    if (2 * turned > members.size())  // the majority in the file decides
-        for (const auto t : members)
-            turn(surface, mesh_corners, t);
-    piece.triangles = static_cast<std::uint32_t>(members.size());
-    surface.pieces.push_back(piece);
-}
+
+    void step(const Surface::Side& from, std::vector<bool>& seen,
+              std::vector<std::uint32_t>& open) {
+        const auto next = surface_.triangles[from.triangle].across[from.edge]->triangle;
+        if (seen[next])
+            return;
+        if (!agrees(surface_, from))
+            turn(surface_, mesh_corners_, next);
+        seen[next] = true;
+        open.push_back(next);
+    }
+
+    bool agrees_in_file(std::uint32_t t, std::uint8_t edge) const {
+        const auto& triangle = surface_.triangles[t];
+        const auto& next = surface_.triangles[triangle.across[edge]->triangle];
+        return agrees(surface_, {t, edge}) == (triangle.is_turned == next.is_turned);
+    }
+
+    void close_or_cut(std::uint32_t t, std::uint8_t edge) {
+        auto& across = surface_.triangles[t].across[edge];
+        if (across && !agrees(surface_, {t, edge})) {
+            surface_.triangles[across->triangle].across[across->edge].reset();
+            across.reset();
+            ++surface_.cut_edges;
+        }
+        if (!across)
+            surface_.pieces[index_].is_closed = false;
+    }
+
+    Surface& surface_;
+    std::vector<Corners>& mesh_corners_;
+    std::uint32_t index_;
+    std::vector<std::uint32_t> members_;
+};
 
 }  // namespace
 
@@ -156,7 +207,7 @@ Surface build_surface(const Mesh& mesh, NormalStyle style, double crease_cosine)
     std::vector<bool> seen(surface.triangles.size(), false);
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
         if (!seen[t])
-            gather_piece(surface, mesh_corners, t, seen);
+            PieceGatherer(surface, mesh_corners).gather(t, seen);
     add_normals(surface, mesh, mesh_corners, style, crease_cosine);
     return surface;
 }

@@ -6,6 +6,7 @@
 #include "machine/host/mesh.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -33,10 +34,9 @@ struct Surface {
         std::uint32_t piece = 0;
         bool is_turned = false;  // wound against its file, to agree with its piece
     };
-    // Triangles connected through edges.
+    // Triangles connected through edges, all wound alike.
     struct Piece {
-        bool is_closed = true;    // no border
-        bool is_oriented = true;  // one winding fits all its triangles
+        bool is_closed = true;  // no border
         std::uint32_t triangles = 0;
     };
 
@@ -45,6 +45,7 @@ struct Surface {
     std::vector<std::array<glm::dvec3, 3>>
         normals;  // of each triangle's corners, unit, on the side of its winding
     std::vector<Piece> pieces;
+    std::size_t cut_edges = 0;  // made borders, because no winding fits both sides
 };
 
 // Vertices at exactly the same place become one. An edge with more than two triangles joins those

@@ -101,6 +101,23 @@ TEST(Facets, FaceOutwardsWhenTheFileIsWoundInsideOut) {
     EXPECT_GT(signed_volume(strothotte(), model), 0);
 }
 
+TEST(Facets, AlternateOverOpenShells) {
+    // Two shells that are open below, both wound outwards: the inner one is taken for the inner
+    // wall.
+    Mesh mesh = make_hollow_ball(0.9, 0.6);
+    std::erase_if(mesh.polygons,
+                  [&](const auto& polygon) { return mesh.positions[polygon.corners[0]].z < -0.3; });
+    for (auto& polygon : mesh.polygons)
+        if (polygon.surface == 1)
+            std::swap(polygon.corners[0], polygon.corners[1]);
+    const auto model = sample_facets(strothotte(), mesh);
+    for (std::size_t facet = 0; facet < model.crossings.size(); ++facet)
+        if (const auto& line = model.crossings[facet]; line.size() == 2) {
+            EXPECT_GT(glm::dot(line[0].normal, direction_of(strothotte(), facet)), 0.99);
+            EXPECT_LT(glm::dot(line[1].normal, direction_of(strothotte(), facet)), -0.99);
+        }
+}
+
 TEST(Facets, ApproachTheVolumeOfTheSolidAsTheyGrowInNumber) {
     const double exact = 2 * std::numbers::pi * std::numbers::pi * 0.68 * 0.09;
     const Mesh torus = make_torus(0.68, 0.3);

@@ -46,6 +46,17 @@ TEST(Mesh, NeverMirrorsWhenOriented) {
         }
 }
 
+TEST(Mesh, TurnsAndTiltsRightHanded) {
+    Mesh mesh = one_triangle();
+    mesh.positions = {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    turn(mesh, 90);
+    EXPECT_LT(glm::distance(mesh.positions[0], {0, -1, 0}), 1e-15);
+    EXPECT_LT(glm::distance(mesh.positions[1], {-1, 0, 0}), 1e-15);
+    tilt(mesh, 90);
+    EXPECT_LT(glm::distance(mesh.positions[1], {0, 0, -1}), 1e-15);
+    EXPECT_LT(glm::distance(mesh.positions[2], {-1, 0, 0}), 1e-15);  // the top leans to the viewer
+}
+
 TEST(Mesh, RefusesOneAxisForUpAndFront) {
     Mesh mesh = one_triangle();
     EXPECT_THAT(

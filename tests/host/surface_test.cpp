@@ -43,7 +43,7 @@ RC_GTEST_PROP(Surface, WindsAPieceOneWayWhateverItsFaces, ()) {
     RC_PRE(2 * reversed < mesh.polygons.size());
     const Surface surface = build_surface(mesh, NormalStyle::face, kCrease);
     RC_ASSERT(surface.pieces.size() == 1U);
-    RC_ASSERT(surface.pieces[0].is_oriented);
+    RC_ASSERT(surface.cut_edges == 0U);
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
         const auto& triangle = surface.triangles[t];
         RC_ASSERT(glm::dot(surface.normals[t][0], surface.positions[triangle.vertices[0]]) > 0);
@@ -70,7 +70,7 @@ TEST(Surface, KnowsItsBorders) {
     EXPECT_EQ(borders, 4U);
 }
 
-TEST(Surface, KnowsWhenNoWindingFits) {
+TEST(Surface, CutsABandThatNoWindingFitsOnceAcross) {
     Mesh band;  // Moebius
     constexpr std::uint32_t kSteps = 12;
     for (std::uint32_t i = 0; i < kSteps; ++i) {
@@ -88,7 +88,7 @@ TEST(Surface, KnowsWhenNoWindingFits) {
     band.polygons.push_back({{1, 0, 2 * kSteps - 1}, 0});
     const Surface surface = build_surface(band, NormalStyle::face, kCrease);
     ASSERT_EQ(surface.pieces.size(), 1U);
-    EXPECT_FALSE(surface.pieces[0].is_oriented);
+    EXPECT_EQ(surface.cut_edges, 1U);
 }
 
 TEST(Surface, KeepsSharpEdgesSharpAndSmoothsTheRest) {
