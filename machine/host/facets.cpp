@@ -5,6 +5,7 @@
 #include "machine/host/linking.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -31,6 +32,26 @@ void check_arguments(const topology::Topology& geodesic, const Mesh& mesh,
                 mesh.name, i, radius));
 }
 
+// A flat picture, such as a drawing in the plane z = 0, centred: radial lines lie beside it or in
+// it.
+bool is_flat_through_centre(const Mesh& mesh) {
+    constexpr double kThickness = 1e-6;
+    glm::dvec3 normal{0};
+    for (const auto& polygon : mesh.polygons) {
+        const auto& a = mesh.positions[polygon.corners[0]];
+        const auto face = glm::cross(mesh.positions[polygon.corners[1]] - a,
+                                     mesh.positions[polygon.corners[2]] - a);
+        if (glm::dot(face, face) > glm::dot(normal, normal))
+            normal = face;
+    }
+    if (!(glm::length(normal) > 0))
+        return false;
+    normal = glm::normalize(normal);
+    return std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const auto& position) {
+        return std::abs(glm::dot(normal, position)) < kThickness;
+    });
+}
+
 // The facets of an exact sphere lie on it, whatever the mesh's triangles cut off.
 void snap_to_sphere(const topology::Topology& geodesic, double radius, RadialSamples& samples) {
     for (std::size_t facet = 0; facet < samples.hits.size(); ++facet)
@@ -46,6 +67,12 @@ void snap_to_sphere(const topology::Topology& geodesic, double radius, RadialSam
 FacetModel sample_facets(const topology::Topology& geodesic, const Mesh& mesh,
                          const FacetOptions& options, FacetStatistics* statistics) {
     check_arguments(geodesic, mesh, options);
+    if (is_flat_through_centre(mesh))
+        throw std::invalid_argument(
+            fmt::format("{}: the surface is flat and passes through the sphere's centre, where "
+                        "every radial line "
+                        "sees it edge on; expected a solid",
+                        mesh.name));
     const Surface surface = build_surface(mesh, options.normals, options.crease_cosine);
     auto samples = sample_lines(geodesic, surface);
     if (mesh.sphere_radius)

@@ -25,8 +25,8 @@ struct FacetStatistics {
 
 // `mesh` in world axes, all vertices inside the unit sphere (fit_to_sphere), the sphere's centre
 // anywhere. Facets are the nodes of the geodesic. Throws std::invalid_argument, naming the mesh,
-// when a vertex lies outside, when the topology has no triangles, when no radial line meets the
-// surface, or for an option out of range.
+// when a vertex lies outside, when the topology has no triangles, when the surface is flat and
+// passes through the centre, when no radial line meets the surface, or for an option out of range.
 FacetModel sample_facets(const topology::Topology& geodesic, const Mesh& mesh,
                          const FacetOptions& options = {}, FacetStatistics* statistics = nullptr);
 

@@ -194,6 +194,16 @@ TEST(Facets, RefuseATopologyWithoutTriangles) {
                     AllOf(HasSubstr("ring"), HasSubstr("expected a geodesic"))));
 }
 
+TEST(Facets, RefuseAFlatSurfaceThroughTheCentre) {
+    Mesh sheet;
+    sheet.name = "drawing";
+    sheet.positions = {{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0, 0, 0.5}};
+    sheet.polygons = {{{0, 1, 2}, 0}};
+    EXPECT_THAT([&] { sample_facets(strothotte(), sheet); },
+                ThrowsMessage<std::invalid_argument>(
+                    AllOf(HasSubstr("drawing"), HasSubstr("flat"), HasSubstr("expected a solid"))));
+}
+
 TEST(Facets, RefuseASurfaceThatNoLineMeets) {
     Mesh sheet;  // seen from the centre edge on
     sheet.name = "sheet";
