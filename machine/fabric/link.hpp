@@ -21,8 +21,8 @@
 namespace rasterloom {
 
 struct LinkSettings {
-    Duration time_per_message;                     // at least 0
-    Duration time_per_byte;                        // at least 0
+    Duration time_per_message = Duration();        // at least 0
+    Duration time_per_byte = Duration();           // at least 0
     Duration latency = Duration::microseconds(1);  // at least 2 ticks
     int input_queue = 4;                           // of the receiver, messages; at least 1
 };

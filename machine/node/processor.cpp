@@ -100,6 +100,9 @@ bool Processor::reach_local_time() {
 }
 
 std::int64_t Processor::budget() const {
+    if (!settings_.run_ahead) {
+        return 1;
+    }
     if (enabled_interrupts_ == 0) {
         return kSlice;
     }

@@ -40,8 +40,8 @@ class Processor final : public Component, private isa::Bus {
         int max_message = 256;  // bytes; at least 1
         bool supervised =
             true;  // has a wire to a supervisor; else PHASE stays 0 and CREDIT is a guest error
-        bool run_ahead = true;  // false: every access to the I/O page goes through the event queue,
-                                // for tests and comparisons
+        bool run_ahead =
+            true;  // false: every instruction goes through the event queue, for comparison
         // For messages only.
         std::shared_ptr<const isa::Image> image;  // where a program counter comes from; may be null
         std::vector<std::string> register_names;  // isa::Core::reg(i)

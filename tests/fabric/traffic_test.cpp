@@ -92,6 +92,15 @@ Scenario random_scenario() {
     settings.supervisor.phases_per_frame = draw(1, 3);
     settings.supervisor.frames = draw(1, 2);
     settings.clock = Clock::with_frequency(draw(1, 7) * 100'000'000LL);
+    if (draw(0, 1) ==
+        0) {  // everything on the clock's edges, so that much happens at the same time
+        const Duration edge = Duration::nanoseconds(10);
+        settings.clock = Clock::with_period(edge);
+        settings.link.time_per_message = draw(0, 5) * edge;
+        settings.link.time_per_byte = draw(0, 2) * edge;
+        settings.link.latency = draw(1, 3) * edge;
+        settings.supervisor.latency = draw(1, 3) * edge;
+    }
     scenario.messages = static_cast<std::uint32_t>(draw(0, 12));
     scenario.seed = static_cast<std::uint32_t>(draw(0, 1'000'000));
     return scenario;
