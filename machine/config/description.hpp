@@ -6,6 +6,7 @@
 #include "machine/config/error.hpp"
 #include "machine/config/units.hpp"
 #include "machine/kernel/time.hpp"
+#include "machine/node/message_ports.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -45,10 +46,8 @@ struct NodeDescription {
     FileReference program;                         // .s: assembled; .bin: raw image; .out: a.out
     std::uint32_t load_address = 0;                // raw images only
     std::optional<std::uint32_t> entry;            // default: what the program says
-    std::optional<std::int64_t> phases_per_frame;  // default: the program's PHASES_PER_FRAME
+    std::optional<std::int64_t> phases_per_frame;  // default: the program's phases_per_frame
 };
-
-enum class SendPolicy : std::uint8_t { one_at_a_time, each_port };
 
 struct LinkDescription {
     Duration time_per_byte = Duration::microseconds(5);
@@ -74,8 +73,8 @@ enum class Normals : std::uint8_t { smooth, face };
 
 struct RotationDescription {
     glm::dvec3 axis{0, 0, 1};  // world axes of machine/host/view.hpp
-    double degrees = 0;        // a frame
-    double start = 0;          // degrees at which the object was handed to the processors
+    double degrees = 0;        // from each frame to the next
+    double start = 0;          // degrees, of the first frame; the object is handed out unrotated
 };
 
 struct SceneDescription {
@@ -83,7 +82,7 @@ struct SceneDescription {
     std::optional<std::filesystem::path> mesh;  // ... or a mesh file
     std::string up = "y";                       // axis of the mesh that points up
     std::string front = "z";                    // axis of the mesh that faces the viewer
-    double size = 0.98;                         // radius to which the object is fitted
+    double size = 0.98;                         // radius to which a mesh file is fitted
     Normals normals = Normals::smooth;
     RotationDescription rotate;
     Routing routing = Routing::small_circle;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/config/error.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <numeric>
+#include "isa/nearest_name.hpp"
 
 #include <fmt/format.h>
 
@@ -48,21 +46,6 @@ std::string message_of(const Problem& problem) {
     return text;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t substitute = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({substitute, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row[b.size()];
-}
-
 }  // namespace
 
 std::string Position::to_string() const {
@@ -79,20 +62,8 @@ void refuse(const Position& where, std::string_view key, std::string_view value,
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& valid) {
-    constexpr std::size_t kLongestName = 64;
-    if (name.empty() || name.size() > kLongestName) {
-        return {};
-    }
-    std::string best;
-    std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
-    for (const std::string& candidate : valid) {
-        const std::size_t distance = edit_distance(name, candidate);
-        if (distance < best_distance) {
-            best_distance = distance;
-            best = candidate;
-        }
-    }
-    return best;
+    const std::vector<std::string_view> candidates(valid.begin(), valid.end());
+    return std::string(isa::nearest_name(name, candidates).value_or(""));
 }
 
 }  // namespace rasterloom::config

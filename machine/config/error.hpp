@@ -46,8 +46,7 @@ class ConfigError : public std::runtime_error {
                          std::string_view what, std::string_view expected = {},
                          std::string_view nearest = {});
 
-// The valid name nearest to `name` by edit distance; empty when none is near (distance above a
-// third of its length, at least 2).
+// The valid name that was probably meant; empty when none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& valid);
 
 }  // namespace rasterloom::config

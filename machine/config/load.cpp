@@ -131,14 +131,15 @@ void include_scene(Value& root, const Locator& locator) {
 }
 
 void check_together(const MachineDescription& machine) {
-    const auto above_zero = [&machine](const std::string& key, Duration duration) {
-        if (duration <= Duration()) {
-            throw machine.error(key, {}, "is zero", "a duration above zero");
+    const auto at_least = [&machine](const std::string& key, Duration value, Duration least) {
+        if (value < least) {
+            throw machine.error(key, format_duration(value), "too short",
+                                "at least " + format_duration(least));
         }
     };
-    above_zero("links.latency", machine.links.latency);
-    above_zero("supervisor.latency", machine.supervisor.latency);
-    above_zero("run.max_time", machine.run.max_time);
+    at_least("links.latency", machine.links.latency, Duration::picoseconds(2));
+    at_least("supervisor.latency", machine.supervisor.latency, Duration::picoseconds(2));
+    at_least("run.max_time", machine.run.max_time, Duration::picoseconds(1));
     if (!machine.scene && machine.run.frames != 1) {
         throw machine.error("run.frames", std::to_string(machine.run.frames),
                             "more than one frame without a scene", "1, or a scene to draw");
@@ -146,9 +147,8 @@ void check_together(const MachineDescription& machine) {
 }
 
 MachineDescription read_tree(Value root, const std::string& source,
-                             const std::vector<std::string>& overrides, const Locator& locator) {
-    for (const std::string& text : overrides) {
-        const Override change = parse_override(text);
+                             std::span<const Override> overrides, const Locator& locator) {
+    for (const Override& change : overrides) {
         if (change.path.front() == "scene" && change.path.size() > 1) {
             include_scene(root, locator);
         }
@@ -176,7 +176,7 @@ ConfigError MachineDescription::error(const std::string& key, const std::string&
     return ConfigError({where, key, value, what, expected, nearest});
 }
 
-MachineDescription load_machine(const std::string& file, const std::vector<std::string>& overrides,
+MachineDescription load_machine(const std::string& file, std::span<const Override> overrides,
                                 const Locator& locator) {
     const auto found = locator.find(file, ".", locator.configs());
     const std::string path = found && !std::filesystem::exists(file) ? found->string() : file;
@@ -184,7 +184,7 @@ MachineDescription load_machine(const std::string& file, const std::vector<std::
 }
 
 MachineDescription read_machine(std::string_view text, const std::string& source,
-                                const std::vector<std::string>& overrides, const Locator& locator) {
+                                std::span<const Override> overrides, const Locator& locator) {
     return read_tree(parse_yaml(text, source), source, overrides, locator);
 }
 

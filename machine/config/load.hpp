@@ -5,21 +5,22 @@
 
 #include "machine/config/description.hpp"
 #include "machine/config/locator.hpp"
+#include "machine/config/value.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rasterloom::config {
 
-// `file`: a path, or the name of a file in the data folder's configs/. `overrides`:
-// "links.time_per_byte=2us", applied in order before anything is checked.
-MachineDescription load_machine(const std::string& file, const std::vector<std::string>& overrides,
+// `file`: a path, or the name of a file in the data folder's configs/. Overrides are applied in
+// order before anything is checked.
+MachineDescription load_machine(const std::string& file, std::span<const Override> overrides,
                                 const Locator& locator);
 
 // The same for a text; `source` names it in messages, and relative files are looked for in the
 // working directory.
 MachineDescription read_machine(std::string_view text, const std::string& source,
-                                const std::vector<std::string>& overrides, const Locator& locator);
+                                std::span<const Override> overrides, const Locator& locator);
 
 }  // namespace rasterloom::config

@@ -186,7 +186,7 @@ Field entry_field() {
 Field phases_field() {
     return {"nodes.phases_per_frame",
             "a whole number from 1 to 1000",
-            "phases of a frame; default: the program's symbol PHASES_PER_FRAME, else 1",
+            "phases of a frame; default: the program's symbol phases_per_frame, else 1",
             false,
             [](MachineDescription& machine, const Value& value, const Locator&) {
                 const std::int64_t phases = parse_count(scalar_text(value));
@@ -224,7 +224,7 @@ void add_link_fields(std::vector<Field>& fields) {
         "links.time_per_message", "transfer time of a message beside its bytes",
         [](auto& machine) -> auto& { return machine.links.time_per_message; }));
     fields.push_back(duration_field(
-        "links.latency", "from the end of a transfer to the message's arrival; above zero",
+        "links.latency", "from the end of a transfer to the message's arrival; at least 2ps",
         [](auto& machine) -> auto& { return machine.links.latency; }));
     fields.push_back(count_field(
         "links.input_queue", "messages that wait at a port to be received", 1, 65535,
@@ -248,7 +248,7 @@ std::vector<Field> machine_fields() {
     add_node_fields(fields);
     add_link_fields(fields);
     fields.push_back(duration_field(
-        "supervisor.latency", "from the end of a phase to its announcement; above zero",
+        "supervisor.latency", "from the end of a phase to its announcement; at least 2ps",
         [](auto& machine) -> auto& { return machine.supervisor.latency; }));
     fields.push_back(count_field(
         "screen.width", "pixels", 1, 4096,

@@ -55,7 +55,7 @@ void add_object_fields(std::vector<Field>& fields) {
         "scene.front", "axis of the mesh file that faces the viewer", axes,
         [](auto& m) -> auto& { return scene_of(m).front; }));
     fields.push_back(real_field(
-        "scene.size", "radius the object is fitted to, in sphere radii", 0.01, 1.0,
+        "scene.size", "radius a mesh file is fitted to, in sphere radii", 0.01, 1.0,
         [](auto& m) -> auto& { return scene_of(m).size; }));
     fields.push_back(choice_field<Normals>(
         "scene.normals", "shading: interpolated normals, or those of the faces",
@@ -68,11 +68,11 @@ void add_motion_fields(std::vector<Field>& fields) {
         "scene.rotate.axis", "axis of rotation; +z is the north pole", false,
         [](auto& m) -> auto& { return scene_of(m).rotate.axis; }));
     fields.push_back(real_field(
-        "scene.rotate.degrees", "rotation before each frame, right-handed, in degrees", -360, 360,
-        [](auto& m) -> auto& { return scene_of(m).rotate.degrees; }));
+        "scene.rotate.degrees", "rotation from each frame to the next, right-handed, in degrees",
+        -360, 360, [](auto& m) -> auto& { return scene_of(m).rotate.degrees; }));
     fields.push_back(real_field(
-        "scene.rotate.start", "rotation of the object before the run, in degrees", -360, 360,
-        [](auto& m) -> auto& { return scene_of(m).rotate.start; }));
+        "scene.rotate.start", "rotation of the first frame, made by the machine, in degrees", -360,
+        360, [](auto& m) -> auto& { return scene_of(m).rotate.start; }));
     fields.push_back(choice_field<Routing>(
         "scene.routing", "how messages find their way over the sphere",
         {{"small_circle", Routing::small_circle}, {"great_circle", Routing::great_circle}},

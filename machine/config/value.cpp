@@ -226,6 +226,14 @@ Override parse_override(std::string_view text) {
     return change;
 }
 
+Override make_override(std::string_view path, std::string_view text, const std::string& option) {
+    Override change{split_path(path), {}};
+    change.value.kind = Value::Kind::scalar;
+    change.value.where = {option, 0, 0};
+    change.value.text = text;
+    return change;
+}
+
 void apply_override(Value& root, const Override& change) {
     Value* at = &root;
     for (const std::string& name : change.path) {

@@ -47,6 +47,8 @@ struct Override {
     Value value;
 };
 Override parse_override(std::string_view text);
+// A scalar given by an option of its own, such as --frames 3; `option` names it in messages.
+Override make_override(std::string_view path, std::string_view text, const std::string& option);
 
 // Puts the override's value in the tree, making the mappings on the way. Throws when the way leads
 // through a value.

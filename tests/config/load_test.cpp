@@ -34,8 +34,9 @@ TEST(Load, NamesTheNearestKeyForOneItDoesNotKnow) {
     EXPECT_THAT(refusal(with("  time_per_byt: 2us\n")),
                 AllOf(StartsWith("small.yaml:7:3: links.time_per_byt: unknown key"),
                       HasSubstr("time_per_message"), HasSubstr("did you mean 'time_per_byte'?")));
-    EXPECT_THAT(refusal(with("linx: {}\n")), AllOf(StartsWith("small.yaml:7:1: linx: unknown key"),
-                                                   HasSubstr("did you mean 'links'?")));
+    EXPECT_THAT(refusal(with("linkx: {}\n")),
+                AllOf(StartsWith("small.yaml:7:1: linkx: unknown key"),
+                      HasSubstr("did you mean 'links'?")));
 }
 
 TEST(Load, SaysWhatItExpectedOfAWrongUnit) {
@@ -66,7 +67,8 @@ TEST(Load, RefusesValuesOutOfRange) {
     EXPECT_THAT(refusal(with("scene: { ambient: 1.5 }\n")), HasSubstr("out of range '1.5'"));
     EXPECT_THAT(refusal(with("scene: { light: [0, 0, 0] }\n")), HasSubstr("no direction"));
     EXPECT_THAT(refusal(with("scene: { ambient: nan }\n")), HasSubstr("not a number 'nan'"));
-    EXPECT_THAT(refusal(kSmallMachine, {"links.latency=0ns"}), HasSubstr("links.latency: is zero"));
+    EXPECT_THAT(refusal(kSmallMachine, {"links.latency=0ns"}),
+                HasSubstr("links.latency: too short '0ps'; expected at least 2ps"));
 }
 
 TEST(Load, RefusesChoicesThatDoNotExist) {

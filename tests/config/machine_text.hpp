@@ -23,7 +23,11 @@ inline const std::string kSmallMachine =
 
 inline MachineDescription load_text(const std::string& text,
                                     const std::vector<std::string>& overrides = {}) {
-    return read_machine(text, "small.yaml", overrides, source_tree());
+    std::vector<Override> changes;
+    for (const std::string& override_text : overrides) {
+        changes.push_back(parse_override(override_text));
+    }
+    return read_machine(text, "small.yaml", changes, source_tree());
 }
 
 // The message with which `text` is refused; "accepted" when it is not.

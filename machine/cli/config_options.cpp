@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "machine/cli/config_options.hpp"
+
+#include "machine/config/load.hpp"
+#include "machine/config/locator.hpp"
+
+namespace rasterloom::cli {
+
+void add_config_options(CLI::App& command, ConfigOptions& options) {
+    command.add_option("config", options.file, "The machine; looked for here, then in configs/")
+        ->required()
+        ->type_name("FILE");
+    command
+        .add_option("--set", options.overrides,
+                    "Change a value of the configuration; may be given several times")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+config::MachineDescription load(const ConfigOptions& options, const Session& session) {
+    std::vector<config::Override> changes;
+    for (const std::string& text : options.overrides) {
+        changes.push_back(config::parse_override(text));
+    }
+    const auto add = [&changes](const char* key, const std::string& value, const char* option) {
+        if (!value.empty()) {
+            changes.push_back(config::make_override(key, value, option));
+        }
+    };
+    add("scene.object", options.mesh, "--mesh");
+    add("run.frames", options.frames, "--frames");
+    add("run.max_time", options.max_time, "--max-time");
+    return config::load_machine(options.file, changes, config::make_locator(session.data));
+}
+
+}  // namespace rasterloom::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The part of the command line that names a configuration and changes it: shared by run and
+// describe.
+#pragma once
+
+#include "machine/cli/command.hpp"
+#include "machine/config/description.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rasterloom::cli {
+
+struct ConfigOptions {
+    std::string file;
+    std::vector<std::string> overrides;  // --set
+    std::string mesh;
+    std::string frames;
+    std::string max_time;
+};
+
+// `options` must outlive the parsing.
+void add_config_options(CLI::App& command, ConfigOptions& options);
+
+// Throws config::ConfigError.
+config::MachineDescription load(const ConfigOptions& options, const Session& session);
+
+}  // namespace rasterloom::cli

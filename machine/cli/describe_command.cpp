@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// rasterloom describe: what a machine is like, without running it.
+#include "machine/cli/command.hpp"
+#include "machine/cli/config_options.hpp"
+#include "machine/config/export.hpp"
+#include "machine/config/units.hpp"
+#include "machine/emulation/wiring.hpp"
+#include "machine/observe/output_folder.hpp"
+#include "topologies/export.hpp"
+#include "topologies/metrics.hpp"
+#include "topologies/screen_map.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace rasterloom::cli {
+
+namespace {
+
+using topology::Topology;
+
+struct DescribeOptions {
+    ConfigOptions config;
+    bool effective = false;
+    std::string svg;
+    std::string csv;
+    std::string node;
+};
+
+std::string degrees(const topology::Metrics& metrics) {
+    std::string text;
+    for (const auto& [degree, nodes] : metrics.degrees) {
+        text += fmt::format("{}{} of degree {}", text.empty() ? "" : ", ", nodes, degree);
+    }
+    return text;
+}
+
+std::string topology_line(const config::TopologyDescription& topology) {
+    std::string text = topology.kind;
+    for (const auto& [name, value] : topology.parameters) {
+        text += fmt::format(", {} {}", name, value);
+    }
+    return text;
+}
+
+void print_graph(const config::MachineDescription& machine, const Topology& topology) {
+    const topology::Metrics metrics = topology::measure(topology);
+    fmt::print("{}: {}\n", machine.machine.empty() ? "machine" : machine.machine,
+               topology_line(machine.topology));
+    fmt::print("Nodes       {}: {}\n", metrics.nodes, degrees(metrics));
+    fmt::print("Edges       {} ({} links, one in either direction)\n", metrics.links,
+               2 * metrics.links);
+    if (metrics.distances) {
+        fmt::print("Distances   diameter {}, radius {}, mean {:.3f} hops\n",
+                   metrics.distances->diameter, metrics.distances->radius, metrics.distances->mean);
+    } else {
+        fmt::print("Distances   none: the graph has {} parts\n", metrics.components);
+    }
+    fmt::print("Planar      {}\n", metrics.is_planar ? "yes" : "no");
+}
+
+void print_parts(const config::MachineDescription& machine) {
+    fmt::print("Processor   {}, {} a cycle, {} bytes, {}\n", machine.nodes.isa,
+               config::format_clock(machine.nodes.clock), machine.nodes.memory,
+               machine.nodes.program.text);
+    fmt::print("Link        {} a message and {} a byte, latency {}, queues of {} in, {} out\n",
+               config::format_duration(machine.links.time_per_message),
+               config::format_duration(machine.links.time_per_byte),
+               config::format_duration(machine.links.latency), machine.links.input_queue,
+               machine.links.output_queue);
+}
+
+void print_screen(const config::MachineDescription& machine, const Topology& topology) {
+    const auto width = static_cast<int>(machine.screen.width);
+    const auto height = static_cast<int>(machine.screen.height);
+    const topology::ScreenMap map = topology::nearest_pixel_map(topology, width, height);
+    std::vector<std::size_t> pixels(topology.nodes.size());
+    for (const topology::NodeIndex owner : map.owner) {
+        ++pixels[owner];
+    }
+    const auto [least, most] = std::minmax_element(pixels.begin(), pixels.end());
+    fmt::print("Screen      {} x {}: {} to {} pixels a node, mean {:.1f}\n", width, height, *least,
+               *most, static_cast<double>(map.owner.size()) / static_cast<double>(pixels.size()));
+}
+
+void print_node(const Topology& topology, const std::string& name) {
+    const auto found = std::find_if(topology.nodes.begin(), topology.nodes.end(),
+                                    [&](const topology::Node& node) { return node.name == name; });
+    if (found == topology.nodes.end()) {
+        std::vector<std::string> names;
+        for (const topology::Node& node : topology.nodes) {
+            names.push_back(node.name);
+        }
+        config::refuse({"--node", 0, 0}, {}, name, "no such node", {},
+                       config::nearest_name(name, names));
+    }
+    const auto index = static_cast<std::size_t>(found - topology.nodes.begin());
+    fmt::print("{} is node {}: phi {:.3f}, theta {:.3f} degrees\n", name, index, found->phi,
+               found->theta);
+    for (std::size_t port = 0; port < topology.ports[index].size(); ++port) {
+        const topology::NodeIndex neighbour = topology.ports[index][port];
+        const topology::Node& node = topology.nodes[neighbour];
+        fmt::print("  port {} to {}, node {}: phi {:.3f}, theta {:.3f}\n", port, node.name,
+                   neighbour, node.phi, node.theta);
+    }
+}
+
+void write_tables(const Topology& topology, const std::string& folder) {
+    std::ostringstream nodes;
+    topology::write_nodes_csv(nodes, topology);
+    std::ostringstream links;
+    topology::write_links_csv(links, topology);
+    observe::OutputFolder output(folder);
+    observe::write_file_whole(output.file("nodes.csv"), nodes.str());
+    observe::write_file_whole(output.file("links.csv"), links.str());
+    output.commit();
+}
+
+void describe(const DescribeOptions& options, const Session& session) {
+    const config::MachineDescription machine = load(options.config, session);
+    if (options.effective) {
+        fmt::print("{}", config::export_machine(machine));
+        return;
+    }
+    const Topology topology = emulation::make_wiring(machine);
+    if (!options.svg.empty()) {
+        std::ostringstream drawing;
+        topology::write_svg(drawing, topology);
+        observe::write_file_whole(options.svg, drawing.str());
+    }
+    if (!options.csv.empty()) {
+        write_tables(topology, options.csv);
+    }
+    if (!options.node.empty()) {
+        print_node(topology, options.node);
+        return;
+    }
+    print_graph(machine, topology);
+    print_parts(machine);
+    if (machine.scene) {
+        print_screen(machine, topology);
+    }
+}
+
+}  // namespace
+
+void add_describe_command(CLI::App& app, Session& session) {
+    auto options = std::make_shared<DescribeOptions>();
+    CLI::App* command = app.add_subcommand("describe",
+                                           "Describe a machine: its graph (nodes, links, degrees, "
+                                           "distances, planar or not) and its parts");
+    add_config_options(*command, options->config);
+    command->add_flag("--config", options->effective,
+                      "Print the configuration in effect, which loads again");
+    command->add_option("--svg", options->svg, "Draw the graph")->type_name("FILE");
+    command->add_option("--csv", options->csv, "Write nodes.csv and links.csv to this folder")
+        ->type_name("DIR");
+    command->add_option("--node", options->node, "Show one node's place and neighbours instead")
+        ->type_name("NAME");
+    command->callback([options, &session] { describe(*options, session); });
+}
+
+}  // namespace rasterloom::cli

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// rasterloom run: emulates a machine, prints a summary, writes pictures and statistics.
+#include "machine/cli/command.hpp"
+#include "machine/cli/config_options.hpp"
+#include "machine/cli/progress_bar.hpp"
+#include "machine/emulation/run.hpp"
+#include "machine/host/animation.hpp"
+#include "machine/host/png.hpp"
+#include "machine/observe/output_folder.hpp"
+#include "machine/observe/statistics_files.hpp"
+#include "machine/observe/summary.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace rasterloom::cli {
+
+namespace {
+
+constexpr int kMatchLevels = 2;   // grey levels within which a pixel counts as the same
+constexpr int kFrameDelay = 100;  // milliseconds a frame of the animation
+
+struct RunCommandOptions {
+    ConfigOptions config;
+    std::string out;
+    bool compare = false;
+    bool no_files = false;
+    bool quiet = false;
+};
+
+void write_pictures(const emulation::RunOutcome& outcome, const observe::OutputFolder& folder) {
+    for (std::size_t frame = 0; frame < outcome.pictures.size(); ++frame) {
+        host::write_png(folder.file(fmt::format("frame-{:03}.png", frame)),
+                        outcome.pictures[frame]);
+    }
+    for (std::size_t frame = 0; frame < outcome.references.size(); ++frame) {
+        host::write_png(folder.file(fmt::format("reference-{:03}.png", frame)),
+                        outcome.references[frame]);
+    }
+    if (outcome.pictures.size() > 1) {
+        host::write_apng(folder.file("frames.png"), outcome.pictures, kFrameDelay);
+    }
+}
+
+void write_statistics(const emulation::RunOutcome& outcome, const observe::OutputFolder& folder) {
+    observe::write_file_whole(folder.file("statistics.json"),
+                              observe::statistics_json(outcome.report));
+    observe::write_file_whole(folder.file("nodes.csv"), observe::nodes_csv(outcome.report));
+    observe::write_file_whole(folder.file("links.csv"), observe::links_csv(outcome.report));
+}
+
+void print_comparison(const emulation::RunOutcome& outcome, int background) {
+    for (std::size_t frame = 0; frame < outcome.references.size(); ++frame) {
+        const host::PictureComparison same =
+            host::compare(outcome.pictures[frame], outcome.references[frame], background);
+        fmt::print(
+            "Frame {:<3}       {:.3f} % of all pixels and {:.3f} % of the object's within {} "
+            "levels of the reference; "
+            "greatest difference {}\n",
+            frame, 100 * same.all.share_within(kMatchLevels),
+            100 * same.covered.share_within(kMatchLevels), kMatchLevels, same.all.greatest());
+    }
+}
+
+std::filesystem::path output_folder(const RunCommandOptions& options) {
+    if (!options.out.empty()) {
+        return options.out;
+    }
+    return std::filesystem::path("out") / std::filesystem::path(options.config.file).stem();
+}
+
+void print_outcome(const RunCommandOptions& options, const config::MachineDescription& machine,
+                   const emulation::RunOutcome& outcome) {
+    if (!options.quiet) {
+        fmt::print("{}", observe::summary(outcome.report, outcome.wall_seconds));
+        if (!outcome.remarks.empty()) {
+            fmt::print("\n{}\n", outcome.remarks);
+        }
+    }
+    if (options.compare) {
+        print_comparison(outcome, machine.scene ? static_cast<int>(machine.scene->background) : 0);
+    }
+}
+
+void run(const RunCommandOptions& options, Session& session) {
+    const config::MachineDescription machine = load(options.config, session);
+    std::optional<observe::OutputFolder> folder;
+    emulation::RunOptions run_options;
+    if (!options.no_files) {
+        folder.emplace(output_folder(options));
+        run_options.messages_csv = folder->file("messages.csv");
+    }
+    run_options.reference_pictures = options.compare;
+    ProgressBar bar(!options.quiet);
+    if (bar.visible()) {
+        run_options.progress = [&bar](const emulation::Progress& progress) { bar.show(progress); };
+    }
+    const emulation::RunOutcome outcome = emulation::run_machine(machine, run_options);
+    bar.clear();
+    if (!outcome.failure.empty()) {
+        fmt::print(stderr, "rasterloom: {}\n", outcome.failure);
+        session.status = ExitStatus::guest_error;
+        return;
+    }
+    if (folder) {
+        write_pictures(outcome, *folder);
+        write_statistics(outcome, *folder);
+        folder->commit();
+    }
+    print_outcome(options, machine, outcome);
+    if (folder && !options.quiet) {
+        fmt::print("\nFiles in {}\n", folder->final_folder().string());
+    }
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Session& session) {
+    auto options = std::make_shared<RunCommandOptions>();
+    CLI::App* command = app.add_subcommand("run",
+                                           "Emulate a machine: pictures, statistics.json, "
+                                           "nodes.csv, links.csv, messages.csv and a summary");
+    add_config_options(*command, options->config);
+    command
+        ->add_option("--mesh", options->config.mesh,
+                     "Draw this mesh (any format that assimp reads): scene.object")
+        ->type_name("FILE");
+    command->add_option("--frames", options->config.frames, "Draw so many frames: run.frames")
+        ->type_name("N");
+    command
+        ->add_option("--max-time", options->config.max_time,
+                     "Give up after so much machine time: run.max_time")
+        ->type_name("TIME");
+    command
+        ->add_option("--out", options->out,
+                     "Folder for the files; default: out/ and the configuration's name")
+        ->type_name("DIR");
+    command->add_flag("--no-files", options->no_files, "Write no files");
+    command->add_flag("--compare", options->compare,
+                      "Compare each picture with the reference renderer's");
+    command->add_flag("--quiet", options->quiet, "No summary, no progress bar");
+    command->callback([options, &session] { run(*options, session); });
+}
+
+}  // namespace rasterloom::cli

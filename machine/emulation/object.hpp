@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The object and the view that a scene describes, as the host box works with them.
+#pragma once
+
+#include "machine/config/description.hpp"
+#include "machine/host/mesh.hpp"
+#include "machine/host/view.hpp"
+
+namespace rasterloom::emulation {
+
+// The built-in object, or the mesh file turned upright and fitted. Throws ConfigError, which points
+// at scene.object.
+host::Mesh make_object(const config::MachineDescription& machine);
+
+// Without rotation: the frames differ in that.
+host::View make_view(const config::MachineDescription& machine);
+
+}  // namespace rasterloom::emulation

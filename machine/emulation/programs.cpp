@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "machine/emulation/programs.hpp"
+
+#include "isa/assembler.hpp"
+#include "isa/image_files.hpp"
+#include "isa/pdp11/pdp11.hpp"
+
+#include <stdexcept>
+
+namespace rasterloom::emulation {
+
+using config::MachineDescription;
+
+namespace {
+
+isa::Image read_image(const MachineDescription& machine) {
+    const auto& path = machine.nodes.program.path;
+    const auto memory = static_cast<std::uint32_t>(machine.nodes.memory);
+    if (path.extension() == ".bin") {
+        const std::uint32_t load_address = machine.nodes.load_address;
+        return isa::read_raw_image(path, load_address, machine.nodes.entry.value_or(load_address),
+                                   memory);
+    }
+    return isa::read_aout_image(path);
+}
+
+}  // namespace
+
+isa::IsaRegistry built_in_isas() {
+    isa::IsaRegistry registry;
+    registry.add(isa::pdp11::pdp11_isa());
+    return registry;
+}
+
+const isa::Isa& select_isa(isa::IsaRegistry& registry, const MachineDescription& machine) {
+    const auto& nodes = machine.nodes;
+    if (nodes.plugin) {
+        try {
+            const isa::Isa& loaded = registry.load(nodes.plugin->path);
+            if (!machine.written.contains("nodes.isa") || nodes.isa == loaded.name()) {
+                return loaded;
+            }
+        } catch (const std::exception& problem) {
+            throw machine.error("nodes.plugin", {}, problem.what());
+        }
+    }
+    try {
+        return registry.find(nodes.isa);
+    } catch (const std::invalid_argument& problem) {
+        throw machine.error("nodes.isa", {}, problem.what());
+    }
+}
+
+isa::Image load_program(const isa::Isa& isa, const MachineDescription& machine) {
+    const auto& program = machine.nodes.program;
+    isa::Image image;
+    if (program.path.extension() == ".s") {
+        image = isa::assemble_image(isa, program.path);
+    } else {
+        try {
+            image = read_image(machine);
+        } catch (const isa::ImageError& problem) {
+            throw machine.error("nodes.program", {}, problem.what());
+        }
+    }
+    if (machine.nodes.entry) {
+        image.entry = *machine.nodes.entry;
+    }
+    for (const isa::Segment& segment : image.segments) {
+        if (segment.address + segment.bytes.size() >
+            static_cast<std::size_t>(machine.nodes.memory)) {
+            throw machine.error(
+                "nodes.memory", std::to_string(machine.nodes.memory),
+                "the program " + program.text + " does not fit",
+                "at least " + std::to_string(segment.address + segment.bytes.size()) + " bytes");
+        }
+    }
+    return image;
+}
+
+isa::CostChoice cost_choice(const MachineDescription& machine) {
+    isa::CostChoice choice{machine.nodes.cost.model, {}};
+    choice.overrides.insert(machine.nodes.cost.overrides.begin(),
+                            machine.nodes.cost.overrides.end());
+    return choice;
+}
+
+std::shared_ptr<const isa::PreparedProgram> prepare_program(const isa::Isa& isa,
+                                                            const isa::Image& image,
+                                                            const MachineDescription& machine) {
+    try {
+        return isa.prepare(image, cost_choice(machine));
+    } catch (const std::invalid_argument& problem) {
+        throw machine.error("nodes.cost", {}, problem.what());
+    }
+}
+
+}  // namespace rasterloom::emulation

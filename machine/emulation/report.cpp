@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "machine/emulation/report.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace rasterloom::emulation {
+
+namespace {
+
+// Programs name activities and phases by symbols such as mark_route = 4 and phase_name_rotate = 0;
+// programs/README.md.
+std::vector<std::string> names_from_symbols(const isa::Image& image, std::string_view prefix,
+                                            std::uint32_t count) {
+    std::vector<std::string> names(count);
+    for (const auto& [symbol, value] : image.symbols) {
+        if (symbol.starts_with(prefix) && value < count) {
+            names[value] = symbol.substr(prefix.size());
+        }
+    }
+    return names;
+}
+
+observe::NodeReport node_report(const Processor& processor, const std::string& name) {
+    observe::NodeReport report;
+    report.name = name;
+    report.statistics = processor.statistics();
+    const MessagePorts& ports = processor.message_ports();
+    for (int port = 0; port < ports.count(); ++port) {
+        const PortStatistics& statistics = ports.statistics(port);
+        report.messages_sent += statistics.messages_sent;
+        report.bytes_sent += statistics.bytes_sent;
+        report.messages_received += statistics.messages_received;
+        report.bytes_received += statistics.bytes_received;
+        report.peak_output_queue = std::max(report.peak_output_queue, statistics.peak_output_queue);
+        report.peak_input_queue = std::max(report.peak_input_queue, statistics.peak_input_queue);
+    }
+    return report;
+}
+
+observe::LinkReport link_report(const NetworkLink& wire,
+                                const std::vector<Processor*>& processors) {
+    const PortStatistics& sender =
+        processors[wire.from]->message_ports().statistics(wire.from_port);
+    const PortStatistics& receiver = processors[wire.to]->message_ports().statistics(wire.to_port);
+    const LinkStatistics& link = wire.link->statistics();
+    observe::LinkReport report;
+    report.from = wire.from;
+    report.to = wire.to;
+    report.port = wire.from_port;
+    report.messages = link.messages;
+    report.bytes = link.bytes;
+    report.busy = link.busy;
+    report.blocked = sender.blocked;
+    report.peak_output_queue = sender.peak_output_queue;
+    report.peak_input_queue = receiver.peak_input_queue;
+    return report;
+}
+
+}  // namespace
+
+observe::RunReport gather_report(const config::MachineDescription& description,
+                                 const topology::Topology& topology, const isa::Image& image,
+                                 Machine& machine, observe::PhaseLog& phases, Time end) {
+    observe::RunReport report{
+        .machine = description.machine,
+        .clock = description.nodes.clock.clock(),
+        .end = end,
+        .frames = description.run.frames,
+        .frame_ends = phases.frame_ends(),
+        .phases = phases.finish(end),
+        .nodes = {},
+        .links = {},
+        .phase_names = names_from_symbols(image, "phase_name_",
+                                          static_cast<std::uint32_t>(machine.phases_per_frame())),
+        .activity_names = names_from_symbols(image, "mark_", kActivities),
+        .events = machine.simulation().events_handled()};
+    for (std::size_t node = 0; node < machine.processors().size(); ++node) {
+        machine.processors()[node]->close_books(end);
+        report.nodes.push_back(node_report(*machine.processors()[node], topology.nodes[node].name));
+    }
+    for (const NetworkLink& wire : machine.links()) {
+        report.links.push_back(link_report(wire, machine.processors()));
+    }
+    return report;
+}
+
+}  // namespace rasterloom::emulation

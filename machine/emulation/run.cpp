@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "machine/emulation/run.hpp"
+
+#include "machine/emulation/job.hpp"
+#include "machine/emulation/machine.hpp"
+#include "machine/emulation/programs.hpp"
+#include "machine/emulation/report.hpp"
+#include "machine/emulation/wiring.hpp"
+#include "machine/observe/message_csv.hpp"
+#include "machine/observe/phase_log.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+namespace rasterloom::emulation {
+
+using config::MachineDescription;
+
+namespace {
+
+using WallClock = std::chrono::steady_clock;
+
+double seconds_since(WallClock::time_point start) {
+    return std::chrono::duration<double>(WallClock::now() - start).count();
+}
+
+// Reads the picture at the very end of each frame, before the next one begins.
+class PictureCollector final : public SupervisorListener {
+  public:
+    PictureCollector(const HostJob& job, const Machine& machine,
+                     std::vector<host::Picture>& pictures)
+        : job_(job), machine_(machine), pictures_(pictures) {}
+    void frame_ended(int, Time) override {
+        pictures_.push_back(job_.collect(machine_.processors()));
+    }
+
+  private:
+    const HostJob& job_;
+    const Machine& machine_;
+    std::vector<host::Picture>& pictures_;
+};
+
+// Messages take one fixed time when their bytes take none: the phases then have rounds.
+std::optional<Duration> round_of(const config::LinkDescription& links) {
+    const bool fixed = links.time_per_byte == Duration() && links.time_per_message > Duration();
+    return fixed ? std::optional(links.time_per_message) : std::nullopt;
+}
+
+// Runs in slices of machine time, so that progress can be told; how a run is sliced does not change
+// what happens.
+RunResult run_in_slices(Machine& machine, const MachineDescription& description,
+                        const RunOptions& options) {
+    const Time limit = Time::zero() + description.run.max_time;
+    if (!options.progress) {
+        return machine.simulation().run(limit);
+    }
+    constexpr double kTold = 0.1;  // seconds of wall time
+    Duration slice =
+        std::max(Duration::picoseconds(1),
+                 Duration::picoseconds(description.run.max_time.picoseconds() / 100'000));
+    Time until;
+    Progress progress{.now = {},
+                      .frame = 0,
+                      .frames = description.run.frames,
+                      .phase = 0,
+                      .phases = machine.phases_per_frame()};
+    while (true) {
+        const auto start = WallClock::now();
+        until = std::min(limit, until + slice);
+        const RunResult result = machine.simulation().run(until);
+        if (result.end != RunEnd::limit || until == limit) {
+            return result;
+        }
+        const double took = seconds_since(start);
+        if (took < kTold / 2 && slice < description.run.max_time) {
+            slice = slice * 2;
+        } else if (took > kTold * 2 && slice > Duration::picoseconds(1)) {
+            slice = Duration::picoseconds(slice.picoseconds() / 2);
+        }
+        progress.now = until;
+        if (const Supervisor* supervisor = machine.supervisor()) {
+            progress.frame = supervisor->phase().frame;
+            progress.phase = supervisor->phase().phase;
+        }
+        options.progress(progress);
+    }
+}
+
+std::string failure_of(const RunResult& result, const MachineDescription& description) {
+    if (result.end == RunEnd::failed) {
+        return result.failure->message();
+    }
+    if (result.end == RunEnd::limit) {
+        return fmt::format(
+            "the machine has not finished after {} of its time (run.max_time, --max-time)",
+            config::format_duration(description.run.max_time));
+    }
+    return {};
+}
+
+void attach(Machine& machine, observe::PhaseLog& phases, NodeListener* messages,
+            SupervisorListener* pictures) {
+    for (Processor* processor : machine.processors()) {
+        processor->probe().attach(phases);
+        if (messages != nullptr) {
+            processor->probe().attach(*messages);
+        }
+    }
+    if (machine.supervisor() != nullptr) {
+        machine.supervisor()->probe().attach(phases);
+        if (pictures != nullptr) {
+            machine.supervisor()->probe().attach(*pictures);
+        }
+    }
+}
+
+}  // namespace
+
+RunOutcome run_machine(const MachineDescription& description, const RunOptions& options) {
+    isa::IsaRegistry registry = built_in_isas();
+    const isa::Isa& isa = select_isa(registry, description);
+    const auto image = std::make_shared<const isa::Image>(load_program(isa, description));
+    const topology::Topology topology = make_wiring(description);
+    const std::unique_ptr<HostJob> job = make_job(description, topology, *image);
+    Machine machine(description, topology, isa, image);
+    RunOutcome outcome;
+    std::optional<PictureCollector> collector;
+    if (job) {
+        job->load(machine.processors());
+        collector.emplace(*job, machine, outcome.pictures);
+        outcome.remarks = job->remarks();
+    }
+    observe::PhaseLog phases(round_of(description.links));
+    std::optional<observe::MessageCsv> messages;
+    if (options.messages_csv) {
+        messages.emplace(*options.messages_csv);
+    }
+    attach(machine, phases, messages ? &*messages : nullptr, collector ? &*collector : nullptr);
+
+    const auto start = WallClock::now();
+    const RunResult result = run_in_slices(machine, description, options);
+    outcome.wall_seconds = seconds_since(start);
+
+    outcome.failure = failure_of(result, description);
+    outcome.report = gather_report(description, topology, *image, machine, phases, result.time);
+    if (messages) {
+        messages->close();
+    }
+    if (job && options.reference_pictures) {
+        for (std::int64_t frame = 0; frame < static_cast<std::int64_t>(outcome.pictures.size());
+             ++frame) {
+            outcome.references.push_back(job->reference(frame));
+        }
+    }
+    return outcome;
+}
+
+}  // namespace rasterloom::emulation

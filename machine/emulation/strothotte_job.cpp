@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The host's part for programs/pdp11/strothotte.s: object initialisation on the host, one facet to
+// each processor, and the picture out of the processors' pixel memories.
+#include "machine/emulation/job.hpp"
+#include "machine/emulation/object.hpp"
+#include "machine/emulation/strothotte_collector.hpp"
+#include "machine/emulation/strothotte_loader.hpp"
+#include "machine/host/facets.hpp"
+#include "machine/host/projection.hpp"
+#include "machine/host/renderer.hpp"
+#include "topologies/screen_map.hpp"
+
+#include <exception>
+
+#include <fmt/format.h>
+
+namespace rasterloom::emulation {
+
+namespace {
+
+using config::MachineDescription;
+using topology::Topology;
+
+class StrothotteJob final : public HostJob {
+  public:
+    StrothotteJob(const MachineDescription& description, const Topology& topology,
+                  const isa::Image& image)
+        : rotation_(description.scene->rotate),
+          topology_(topology),
+          image_(image),
+          view_(make_view(description)),
+          screen_(topology::nearest_pixel_map(topology, view_.width, view_.height)),
+          facets_(sample(description, topology)),
+          loader_(image,
+                  {topology_, screen_, facets_, static_cast<int>(description.links.max_message),
+                   static_cast<std::uint32_t>(description.nodes.memory)},
+                  {view_, rotation_.start, rotation_.degrees,
+                   description.scene->routing == config::Routing::great_circle}) {}
+
+    void load(const std::vector<Processor*>& processors) override {
+        for (topology::NodeIndex node = 0; node < processors.size(); ++node) {
+            for (const isa::Segment& segment : loader_.memory_of(node)) {
+                processors[node]->core().write_memory(segment.address, segment.bytes);
+            }
+        }
+    }
+
+    host::Picture collect(const std::vector<Processor*>& processors) const override {
+        host::Picture picture(view_.width, view_.height, 1,
+                              static_cast<std::uint8_t>(view_.background));
+        for (topology::NodeIndex node = 0; node < processors.size(); ++node) {
+            collect_pixels(image_, screen_, node, processors[node]->core().memory(), picture);
+        }
+        return picture;
+    }
+
+    host::Picture reference(std::int64_t frame) const override {
+        host::View view = view_;
+        view.degrees = rotation_.start + static_cast<double>(frame) * rotation_.degrees;
+        return host::reference_render(host::project(facets_, topology_, view), view);
+    }
+
+    std::string remarks() const override {
+        std::string text =
+            fmt::format("Object          {} crossings on {} facets, {} triangles",
+                        statistics_.crossings, facets_.crossings.size(), facets_.triangles.size());
+        if (statistics_.links.dropped > 0) {
+            text += fmt::format("; {} crossings beyond the eighth of a facet left out",
+                                statistics_.links.dropped);
+        }
+        if (statistics_.links.unpaired > 0) {
+            text += fmt::format("; {} crossings without a neighbour to link to",
+                                statistics_.links.unpaired);
+        }
+        return text;
+    }
+
+  private:
+    host::FacetModel sample(const MachineDescription& description, const Topology& topology) {
+        host::FacetOptions options;
+        options.normals = description.scene->normals == config::Normals::face
+                              ? host::NormalStyle::face
+                              : host::NormalStyle::smooth;
+        return host::sample_facets(topology, make_object(description), options, &statistics_);
+    }
+
+    config::RotationDescription rotation_;
+    const Topology& topology_;
+    const isa::Image& image_;
+    host::View view_;
+    topology::ScreenMap screen_;
+    host::FacetStatistics statistics_;  // before facets_, whose making fills it
+    host::FacetModel facets_;
+    StrothotteLoader loader_;
+};
+
+}  // namespace
+
+std::unique_ptr<HostJob> make_job(const MachineDescription& description, const Topology& topology,
+                                  const isa::Image& image) {
+    if (!description.scene) {
+        return nullptr;
+    }
+    if (topology.triangles.empty()) {
+        throw description.error("topology.kind", description.topology.kind,
+                                "cannot hold a scene's object", "geodesic, or no scene");
+    }
+    try {
+        return std::make_unique<StrothotteJob>(description, topology, image);
+    } catch (const config::ConfigError&) {
+        throw;
+    } catch (const std::invalid_argument& problem) {
+        throw description.error("scene", {}, problem.what());
+    }
+}
+
+}  // namespace rasterloom::emulation

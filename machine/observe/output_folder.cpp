@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "machine/observe/output_folder.hpp"
+
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace rasterloom::observe {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path beside(const fs::path& path) {
+    return path.parent_path() / fmt::format(".{}.partial-{}", path.filename().string(), ::getpid());
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const fs::path& final_folder) {
+    final_ = fs::absolute(final_folder).lexically_normal();
+    if (!final_.has_filename()) {
+        final_ = final_.parent_path();
+    }
+    partial_ = beside(final_);
+    std::error_code error;
+    if (fs::exists(final_, error) && !fs::is_directory(final_, error)) {
+        throw OutputError(
+            fmt::format("{}: is a file; expected a folder to write to", final_.string()));
+    }
+    fs::remove_all(partial_, error);
+    fs::create_directories(partial_, error);
+    if (error) {
+        throw OutputError(
+            fmt::format("{}: cannot make a folder here: {}", final_.string(), error.message()));
+    }
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code ignored;
+    fs::remove_all(partial_, ignored);
+}
+
+void OutputFolder::commit() {
+    if (!fs::exists(final_)) {
+        fs::rename(partial_, final_);
+        return;
+    }
+    for (const auto& entry : fs::directory_iterator(partial_)) {
+        fs::rename(entry.path(), final_ / entry.path().filename());
+    }
+}
+
+void write_file_whole(const fs::path& path, std::string_view content) {
+    const fs::path partial = beside(fs::absolute(path));
+    std::ofstream file(partial, std::ios::binary);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    file.close();
+    std::error_code error;
+    if (file) {
+        fs::rename(partial, path, error);
+    }
+    if (!file || error) {
+        std::error_code ignored;
+        fs::remove(partial, ignored);
+        throw OutputError(fmt::format("{}: cannot be written", path.string()));
+    }
+}
+
+}  // namespace rasterloom::observe

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where a run's files go. They are written into a hidden folder beside the final one and moved when
+// all of them are complete: a run that fails leaves nothing under the final name.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace rasterloom::observe {
+
+// A file or folder cannot be written; the message names it.
+class OutputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+class OutputFolder {
+  public:
+    // Makes the hidden folder. Throws OutputError when that is not possible.
+    explicit OutputFolder(const std::filesystem::path& final_folder);
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+    // Removes everything that was not committed.
+    ~OutputFolder();
+
+    // Where to write the file that will be called `name`.
+    std::filesystem::path file(const std::string& name) const { return partial_ / name; }
+    const std::filesystem::path& final_folder() const { return final_; }
+
+    // Moves every file to the final folder, which is made when it does not exist; files there with
+    // other names stay.
+    void commit();
+
+  private:
+    std::filesystem::path final_;
+    std::filesystem::path partial_;
+};
+
+// Writes a whole file under a temporary name and renames it. Throws OutputError.
+void write_file_whole(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace rasterloom::observe

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What a run was like: plain numbers, gathered once it is over. All of it is emulated, so it is the
+// same on any machine; how long the emulation itself took is not part of it.
+#pragma once
+
+#include "machine/kernel/clock.hpp"
+#include "machine/kernel/time.hpp"
+#include "machine/node/node_statistics.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rasterloom::observe {
+
+struct NodeReport {
+    std::string name;
+    NodeStatistics statistics;
+    std::int64_t messages_sent = 0;
+    std::int64_t bytes_sent = 0;
+    std::int64_t messages_received = 0;
+    std::int64_t bytes_received = 0;
+    int peak_output_queue = 0;  // messages, at the fullest of its ports
+    int peak_input_queue = 0;
+};
+
+// One direction of an edge.
+struct LinkReport {
+    NodeIndex from = 0;
+    NodeIndex to = 0;
+    int port = 0;  // of `from`
+    std::int64_t messages = 0;
+    std::int64_t bytes = 0;
+    Duration busy;     // transferring
+    Duration blocked;  // a message ready, the link idle, the receiver's input queue full
+    int peak_output_queue = 0;
+    int peak_input_queue = 0;  // at the receiver
+};
+
+// Rounds of a phase in which a message takes a fixed time whatever its length
+// (links.time_per_message above zero and links.time_per_byte zero): round r lasts from r to r + 1
+// such times after the phase began.
+struct RoundsReport {
+    std::int64_t rounds = 0;  // until the last message began its last hop, that hop included
+    std::vector<std::int64_t> senders;  // [round]: nodes that began to send in it
+};
+
+struct PhaseReport {
+    std::int64_t frame = 0;
+    std::int64_t phase = 0;  // of the frame
+    Time start;
+    Time end;
+    std::int64_t messages = 0;  // hops
+    std::int64_t bytes = 0;
+    std::int64_t longest_route =
+        0;  // hops of the message that had gone farthest, by the programs' count
+    std::optional<RoundsReport> rounds;
+};
+
+struct RunReport {
+    std::string machine;
+    Clock clock = Clock::with_period(Duration::microseconds(
+        1));  // of the nodes: one cycle is the unit u of the thesis' cost model
+    Time end;
+    std::int64_t frames = 0;
+    std::vector<Time> frame_ends;
+    std::vector<PhaseReport> phases;
+    std::vector<NodeReport> nodes;
+    std::vector<LinkReport> links;
+    std::vector<std::string> phase_names;     // [phase of the frame]; may be shorter
+    std::vector<std::string> activity_names;  // [activity that MARK names]; may be shorter
+    std::uint64_t events = 0;                 // handled by the kernel
+
+    std::string phase_name(std::int64_t phase) const;  // "rotate", or "phase 0" when it has no name
+    std::string activity_name(int activity) const;
+    std::int64_t units(Duration duration) const {
+        return clock.edge_at_or_before(Time::zero() + duration).count();
+    }
+    std::int64_t instructions() const;
+    std::int64_t cycles() const;
+    std::int64_t messages() const;
+    std::int64_t bytes() const;
+};
+
+}  // namespace rasterloom::observe

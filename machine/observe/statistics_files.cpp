@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "machine/observe/statistics_files.hpp"
+
+#include <array>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rasterloom::observe {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, kNodeStates> kStateNames{
+    "busy", "waiting_input", "waiting_output", "waiting_phase", "waiting_interrupt"};
+
+std::string key(std::string_view name, std::string_view unit) {
+    return fmt::format("{}_{}", name, unit);
+}
+
+// Names come from the user's files.
+std::string csv_text(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) {
+        return text;
+    }
+    std::string quoted(1, '"');
+    for (const char c : text) {
+        quoted += c;
+        if (c == '"') {
+            quoted += c;
+        }
+    }
+    quoted += '"';
+    return quoted;
+}
+
+Duration halted(const RunReport& report, const NodeReport& node) {
+    Duration rest = report.end.since_start();
+    for (int state = 0; state < kNodeStates; ++state) {
+        rest -= node.statistics.in_state(static_cast<NodeState>(state));
+    }
+    return rest;
+}
+
+// Sums over all nodes of one phase of the run.
+Json phase_work(const RunReport& report, std::size_t phase) {
+    std::array<Duration, kNodeStates> in_state{};
+    std::int64_t instructions = 0;
+    for (const NodeReport& node : report.nodes) {
+        if (phase < node.statistics.phases.size()) {
+            const NodePhaseStatistics& part = node.statistics.phases[phase];
+            instructions += part.instructions;
+            for (std::size_t state = 0; state < in_state.size(); ++state) {
+                in_state[state] += part.in_state[state];
+            }
+        }
+    }
+    Json json;
+    json["instructions"] = instructions;
+    for (std::size_t state = 0; state < in_state.size(); ++state) {
+        json[key(kStateNames[state], "ps")] = in_state[state].picoseconds();
+    }
+    return json;
+}
+
+Json rounds_json(const RoundsReport& rounds, std::size_t nodes) {
+    Json json;
+    json["rounds"] = rounds.rounds;
+    json["senders"] = rounds.senders;
+    Json utilisation = Json::array();
+    for (const std::int64_t senders : rounds.senders) {
+        utilisation.push_back(static_cast<double>(senders) / static_cast<double>(nodes));
+    }
+    json["utilisation"] = utilisation;
+    return json;
+}
+
+Json phases_json(const RunReport& report) {
+    Json phases = Json::array();
+    for (std::size_t i = 0; i < report.phases.size(); ++i) {
+        const PhaseReport& phase = report.phases[i];
+        Json json;
+        json["frame"] = phase.frame;
+        json["phase"] = phase.phase;
+        json["name"] = report.phase_name(phase.phase);
+        json["start_ps"] = phase.start.picoseconds();
+        json["end_ps"] = phase.end.picoseconds();
+        json["duration_ps"] = (phase.end - phase.start).picoseconds();
+        json["duration_u"] = report.units(phase.end - phase.start);
+        json["messages"] = phase.messages;
+        json["bytes"] = phase.bytes;
+        json["longest_route_hops"] = phase.longest_route;
+        if (phase.rounds) {
+            json["synchronous"] = rounds_json(*phase.rounds, report.nodes.size());
+        }
+        json["all_nodes"] = phase_work(report, i);
+        phases.push_back(std::move(json));
+    }
+    return phases;
+}
+
+Json activities_json(const RunReport& report) {
+    Json json = Json::array();
+    for (int activity = 0; activity < kActivities; ++activity) {
+        Duration busy;
+        for (const NodeReport& node : report.nodes) {
+            busy += node.statistics.busy_with[static_cast<std::size_t>(activity)];
+        }
+        if (busy > Duration()) {
+            json.push_back({{"activity", activity},
+                            {"name", report.activity_name(activity)},
+                            {"busy_ps", busy.picoseconds()}});
+        }
+    }
+    return json;
+}
+
+Json frames_json(const RunReport& report) {
+    Json json = Json::array();
+    Time start;
+    for (const Time end : report.frame_ends) {
+        json.push_back({{"start_ps", start.picoseconds()},
+                        {"end_ps", end.picoseconds()},
+                        {"duration_ps", (end - start).picoseconds()},
+                        {"duration_u", report.units(end - start)}});
+        start = end;
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string statistics_json(const RunReport& report) {
+    Json json;
+    json["machine"] = report.machine;
+    json["nodes"] = report.nodes.size();
+    json["links"] = report.links.size();
+    json["u_ps"] = report.clock.nominal_period().picoseconds();
+    json["end_ps"] = report.end.picoseconds();
+    json["end_u"] = report.units(report.end.since_start());
+    json["instructions"] = report.instructions();
+    json["cycles_u"] = report.cycles();
+    json["messages"] = report.messages();
+    json["bytes"] = report.bytes();
+    json["events"] = report.events;
+    json["frames"] = frames_json(report);
+    json["phases"] = phases_json(report);
+    json["activities"] = activities_json(report);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string nodes_csv(const RunReport& report) {
+    std::string text = "node,name,instructions,cycles_u";
+    for (const std::string_view state : kStateNames) {
+        text += fmt::format(",{}_ps", state);
+    }
+    text +=
+        ",halted_ps,messages_sent,bytes_sent,messages_received,bytes_received,peak_output_queue,"
+        "peak_input_queue";
+    for (std::size_t i = 0; i < report.phases.size(); ++i) {
+        text += fmt::format(",busy_in_phase_{}_ps", i);
+    }
+    text += "\n";
+    auto out = std::back_inserter(text);
+    for (std::size_t i = 0; i < report.nodes.size(); ++i) {
+        const NodeReport& node = report.nodes[i];
+        fmt::format_to(out, "{},{},{},{}", i, csv_text(node.name), node.statistics.instructions,
+                       node.statistics.cycles);
+        for (int state = 0; state < kNodeStates; ++state) {
+            fmt::format_to(out, ",{}",
+                           node.statistics.in_state(static_cast<NodeState>(state)).picoseconds());
+        }
+        fmt::format_to(out, ",{},{},{},{},{},{},{}", halted(report, node).picoseconds(),
+                       node.messages_sent, node.bytes_sent, node.messages_received,
+                       node.bytes_received, node.peak_output_queue, node.peak_input_queue);
+        for (std::size_t phase = 0; phase < report.phases.size(); ++phase) {
+            const auto& phases = node.statistics.phases;
+            const Duration busy = phase < phases.size() ? phases[phase].in_state[0] : Duration();
+            fmt::format_to(out, ",{}", busy.picoseconds());
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string links_csv(const RunReport& report) {
+    std::string text =
+        "from,from_name,port,to,to_name,messages,bytes,busy_ps,utilisation,blocked_ps,peak_output_"
+        "queue,"
+        "peak_input_queue\n";
+    auto out = std::back_inserter(text);
+    const auto whole = static_cast<double>(report.end.picoseconds());
+    for (const LinkReport& link : report.links) {
+        const double utilisation =
+            whole > 0 ? static_cast<double>(link.busy.picoseconds()) / whole : 0;
+        fmt::format_to(out, "{},{},{},{},{},{},{},{},{:.6f},{},{},{}\n", link.from,
+                       csv_text(report.nodes[link.from].name), link.port, link.to,
+                       csv_text(report.nodes[link.to].name), link.messages, link.bytes,
+                       link.busy.picoseconds(), utilisation, link.blocked.picoseconds(),
+                       link.peak_output_queue, link.peak_input_queue);
+    }
+    return text;
+}
+
+}  // namespace rasterloom::observe

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "machine/observe/summary.hpp"
+
+#include "machine/kernel/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace rasterloom::observe {
+
+namespace {
+
+constexpr std::size_t kShown = 5;  // of the busiest
+
+double seconds(Duration duration) {
+    return static_cast<double>(duration.picoseconds()) / static_cast<double>(kPicosecondsPerSecond);
+}
+
+double share(Duration part, Duration whole) {
+    return whole > Duration() ? seconds(part) / seconds(whole) : 0;
+}
+
+// "4.20 ms": three or four figures are enough for a person.
+std::string human(Duration duration) {
+    constexpr std::array<std::pair<double, const char*>, 4> kUnits{
+        std::pair{1.0, "s"}, std::pair{1e-3, "ms"}, std::pair{1e-6, "us"}, std::pair{1e-9, "ns"}};
+    for (const auto& [size, unit] : kUnits) {
+        if (seconds(duration) >= size) {
+            return fmt::format("{:.4g} {}", seconds(duration) / size, unit);
+        }
+    }
+    return fmt::format("{} ps", duration.picoseconds());
+}
+
+std::string human(double count) {
+    constexpr std::array<std::pair<double, const char*>, 3> kSteps{
+        std::pair{1e9, " billion"}, std::pair{1e6, " million"}, std::pair{1e4, " thousand"}};
+    for (const auto& [size, name] : kSteps) {
+        if (count >= size) {
+            return fmt::format("{:.4g}{}",
+                               name == kSteps.back().second ? count / 1e3 : count / size, name);
+        }
+    }
+    return fmt::format("{:.4g}", count);
+}
+
+// Indices of the largest values, largest first; ties in the order of indices; zeros left out.
+template <typename Value>
+std::vector<std::size_t> largest(std::size_t count, Value value) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::size_t shown = std::min(kShown, count);
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown),
+                      order.end(), [&](std::size_t a, std::size_t b) {
+                          return value(a) != value(b) ? value(a) > value(b) : a < b;
+                      });
+    order.resize(shown);
+    std::erase_if(order, [&](std::size_t i) { return value(i) == Duration(); });
+    return order;
+}
+
+Duration in_phase(const RunReport& report, std::size_t phase, NodeState state) {
+    Duration sum;
+    for (const NodeReport& node : report.nodes) {
+        if (phase < node.statistics.phases.size()) {
+            sum += node.statistics.phases[phase].in_state[static_cast<std::size_t>(state)];
+        }
+    }
+    return sum;
+}
+
+void add_frames(std::string& text, const RunReport& report) {
+    if (report.frame_ends.empty()) {
+        return;
+    }
+    const auto frames = static_cast<std::int64_t>(report.frame_ends.size());
+    const Duration mean = Duration::picoseconds(report.frame_ends.back().picoseconds() / frames);
+    fmt::format_to(std::back_inserter(text), "Frame time      {} = {} u, {:.4g} frames/s{}\n",
+                   human(mean), report.units(mean), 1 / seconds(mean),
+                   frames > 1 ? fmt::format(" (mean of {})", frames) : "");
+}
+
+// Nodes book their time to a phase until they see the next one.
+Duration until_next_phase(const RunReport& report, std::size_t phase) {
+    const Time end = phase + 1 < report.phases.size() ? report.phases[phase + 1].start : report.end;
+    return end - report.phases[phase].start;
+}
+
+// One line a phase of the frame, summed over the frames.
+void add_phases(std::string& text, const RunReport& report) {
+    if (report.phases.size() < 2) {
+        return;
+    }
+    std::size_t per_frame = 0;
+    for (const PhaseReport& phase : report.phases) {
+        per_frame = std::max(per_frame, static_cast<std::size_t>(phase.phase) + 1);
+    }
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "\n{:<16}{:>12}{:>12}{:>8}{:>8}{:>10}{:>10}{:>10}{:>9}{:>8}\n", "Phase",
+                   "time", "u", "share", "busy", "wait in", "wait out", "messages", "longest",
+                   "rounds");
+    for (std::size_t name = 0; name < per_frame; ++name) {
+        Duration time, spent, busy, input, output;
+        std::int64_t messages = 0, longest = 0, rounds = 0;
+        bool has_rounds = false;
+        for (std::size_t i = 0; i < report.phases.size(); ++i) {
+            const PhaseReport& phase = report.phases[i];
+            if (static_cast<std::size_t>(phase.phase) != name) {
+                continue;
+            }
+            time += phase.end - phase.start;
+            spent += until_next_phase(report, i);
+            busy += in_phase(report, i, NodeState::busy);
+            input += in_phase(report, i, NodeState::waiting_input);
+            output += in_phase(report, i, NodeState::waiting_output);
+            messages += phase.messages;
+            longest = std::max(longest, phase.longest_route);
+            if (phase.rounds) {
+                has_rounds = true;
+                rounds = std::max(rounds, phase.rounds->rounds);
+            }
+        }
+        const Duration all_nodes = spent * static_cast<std::int64_t>(report.nodes.size());
+        fmt::format_to(
+            out, "{:<16}{:>12}{:>12}{:>7.1f}%{:>7.1f}%{:>9.1f}%{:>9.1f}%{:>10}{:>9}{:>8}\n",
+            report.phase_name(static_cast<std::int64_t>(name)), human(time), report.units(time),
+            100 * share(time, report.end.since_start()), 100 * share(busy, all_nodes),
+            100 * share(input, all_nodes), 100 * share(output, all_nodes), messages, longest,
+            has_rounds ? std::to_string(rounds) : "-");
+    }
+}
+
+void add_busiest(std::string& text, const RunReport& report) {
+    const auto out = std::back_inserter(text);
+    const Duration whole = report.end.since_start();
+    const auto busy = [&](std::size_t i) {
+        return report.nodes[i].statistics.in_state(NodeState::busy);
+    };
+    if (report.nodes.size() > 1) {
+        fmt::format_to(out, "\nBusiest nodes\n");
+        for (const std::size_t i : largest(report.nodes.size(), busy)) {
+            const NodeReport& node = report.nodes[i];
+            fmt::format_to(out,
+                           "  {:<14} busy {:>5.1f}%  {} instructions, {} messages in, {} out\n",
+                           node.name, 100 * share(busy(i), whole),
+                           human(static_cast<double>(node.statistics.instructions)),
+                           node.messages_received, node.messages_sent);
+        }
+    }
+    const auto transferring = [&](std::size_t i) { return report.links[i].busy; };
+    const std::vector<std::size_t> links = largest(report.links.size(), transferring);
+    if (!links.empty()) {
+        fmt::format_to(out, "\nBusiest links\n");
+        for (const std::size_t i : links) {
+            const LinkReport& link = report.links[i];
+            fmt::format_to(
+                out, "  {:<14} -> {:<14} busy {:>5.1f}%  {} messages, {} bytes, blocked {}\n",
+                report.nodes[link.from].name, report.nodes[link.to].name,
+                100 * share(link.busy, whole), link.messages, link.bytes, human(link.blocked));
+        }
+    }
+}
+
+}  // namespace
+
+std::string summary(const RunReport& report, double wall_seconds) {
+    std::string text;
+    const auto out = std::back_inserter(text);
+    const std::int64_t instructions = report.instructions();
+    fmt::format_to(out, "{}: {} node{}, {} links\n",
+                   report.machine.empty() ? "machine" : report.machine, report.nodes.size(),
+                   report.nodes.size() == 1 ? "" : "s", report.links.size());
+    add_frames(text, report);
+    fmt::format_to(out, "Machine time    {} = {} u\n", human(report.end.since_start()),
+                   report.units(report.end.since_start()));
+    fmt::format_to(out, "Instructions    {} in {} cycles\n", instructions, report.cycles());
+    if (!report.links.empty()) {
+        fmt::format_to(out, "Messages        {} hops, {} bytes\n", report.messages(),
+                       report.bytes());
+    }
+    if (wall_seconds > 0) {
+        fmt::format_to(out,
+                       "Emulated in     {} of wall time: {:.2f} million instructions/s, real-time "
+                       "factor {:.3g}\n",
+                       human(Duration::picoseconds(static_cast<std::int64_t>(wall_seconds * 1e12))),
+                       static_cast<double>(instructions) / wall_seconds / 1e6,
+                       seconds(report.end.since_start()) / wall_seconds);
+    }
+    add_phases(text, report);
+    add_busiest(text, report);
+    return text;
+}
+
+}  // namespace rasterloom::observe
