@@ -8,6 +8,11 @@
 #include <fmt/format.h>
 
 namespace rasterloom::isa::assembler {
+namespace {
+
+constexpr std::size_t kLongestLine = 16384;
+
+}  // namespace
 
 Vocabulary::Vocabulary(const Dialect& dialect) {
     for (const InstructionRow& row : dialect.instructions) {
@@ -66,6 +71,9 @@ void Pass::read_line(const SourceLine& line) {
         error(0, fmt::format("the source expands to more than {} lines", options_.max_lines));
         stopped_ = true;
         return;
+    }
+    if (line.text().size() > kLongestLine) {  // macros that double their argument
+        return error(0, fmt::format("the line has more than {} characters", kLongestLine));
     }
     statement(0);
 }

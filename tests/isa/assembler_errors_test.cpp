@@ -105,6 +105,8 @@ TEST(AssemblerErrors, ReportWrongArguments) {
 TEST(AssemblerErrors, EndRunawayMacros) {
     EXPECT_THAT(complaint(".macro m\nm\n.endm\nm"),
                 HasSubstr("macros call one another more than 200 deep"));
+    EXPECT_THAT(complaint(".macro m a\nm <a a>\n.endm\nm <x x>"),
+                HasSubstr("more than 16384 characters"));
     const Assembly assembly = assemble(".rept 1000\n.rept 1000\nx = 1\n.endr\n.endr",
                                        {.include_dirs = {}, .defines = {}, .max_lines = 1000});
     EXPECT_THAT(to_string(assembly.diagnostics), HasSubstr("expands to more than 1000 lines"));
