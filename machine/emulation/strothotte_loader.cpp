@@ -209,9 +209,12 @@ void StrothotteLoader::add_pool(NodeMemory& memory, topology::NodeIndex node) co
         memory.skip(block_size_ - kLinkBytes - static_cast<std::uint32_t>(facet.size()));
     }
     memory.set("block_size", block_size_);
-    memory.set("pool_start", memory.here());
-    memory.set("pool_end", machine_.memory_bytes);
-    if (memory.here() + kFewestBlocks * block_size_ > machine_.memory_bytes) {
+    const std::uint32_t blocks =
+        memory.here() < machine_.memory_bytes ? (machine_.memory_bytes - memory.here()) / block_size_ : 0;
+    memory.set("free_count", blocks);
+    memory.set("pool_next", memory.here() + kLinkBytes);
+    memory.set("pool_last", memory.here() + kLinkBytes + (blocks - 1) * block_size_);
+    if (blocks < kFewestBlocks) {
         throw std::invalid_argument(
             fmt::format("node {}: program, tables and {} message blocks of {} bytes need {} bytes "
                         "of memory; it has {}",

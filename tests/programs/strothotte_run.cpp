@@ -74,6 +74,7 @@ StrothotteRun run_strothotte(const SampledObject& object, const StrothotteScene&
     const isa::Image& image = strothotte_image();
     const auto program = isa.prepare(image, isa::CostChoice{"strothotte", {}});
     const StrothotteLoader loader(image, {object.topology, object.screen, object.facets}, scene);
+    const auto shared_image = std::make_shared<isa::Image>(image);
     StrothotteRun run;
     FrameKeeper keeper(object, scene.view, run);
     Simulation simulation;
@@ -93,7 +94,7 @@ StrothotteRun run_strothotte(const SampledObject& object, const StrothotteScene&
         s.ports.ports = static_cast<int>(object.topology.ports[n].size());
         s.ports.output_queue = options.output_queue;
         s.ports.input_queue = options.input_queue;
-        s.image = std::make_shared<isa::Image>(image);
+        s.image = shared_image;
         for (const auto& name : isa.register_names()) {
             s.register_names.emplace_back(name);
         }
@@ -113,7 +114,9 @@ StrothotteRun run_strothotte(const SampledObject& object, const StrothotteScene&
     } else if (result.end != RunEnd::finished || !supervisor.over()) {
         run.failure = "the run did not end";
     }
-    for (const Processor* processor : keeper.processors) {
+    for (Processor* processor : keeper.processors) {
+        processor->close_books(result.time);
+        run.nodes.push_back(processor->statistics());
         run.instructions += processor->core().instructions_retired();
         for (int k = 0; k < processor->message_ports().count(); ++k) {
             run.messages += processor->message_ports().statistics(k).messages_sent;

@@ -6,6 +6,7 @@
 #include "machine/emulation/strothotte_scene.hpp"
 #include "machine/fabric/supervisor.hpp"
 #include "machine/host/picture.hpp"
+#include "machine/node/node_statistics.hpp"
 
 #include <memory>
 #include <string>
@@ -31,6 +32,7 @@ struct StrothotteRun {
     std::string failure;  // empty for a run that ended as it should
     std::int64_t instructions = 0;
     std::int64_t messages = 0;
+    std::vector<NodeStatistics> nodes;
 };
 
 struct StrothotteOptions {

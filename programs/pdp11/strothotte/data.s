@@ -7,8 +7,9 @@ phase_count:    .word   phases_per_frame
 port_count:     .word   0               ; of this processor
 last_port:      .word   0               ; twice the highest port's number
 great_circle:   .word   0               ; 0: small-circle routing
-pool_start:     .word   0               ; the message pool's bytes
-pool_end:       .word   0
+pool_next:      .word   0               ; the message pool: the first block never used,
+pool_last:      .word   0               ; the last one,
+free_count:     .word   0               ; how many are free in all
 block_size:     .word   0               ; bytes of a block, with its 4 in front of the message
 triangle_size:  .word   t_size_small    ; bytes of a TRIANGLE
 facet_list:     .word   0               ; FACET blocks this processor holds, made by the loader outside the pool
@@ -71,7 +72,6 @@ step:           .word   0               ; twice the number of the next phase wit
 owed:           .word   0               ; 1: this phase's credit is still to be given back
 arrival_port:   .word   0
 free_list:      .word   0
-free_count:     .word   0
 queue_mask:     .word   0               ; bit k: messages wait for port k
 turn_total:     .word   0, 100000       ; the half rounds
 turned_by:      .word   0

@@ -5,7 +5,6 @@
 ; Register use throughout: r5 the message in hand, r3 twice a port's number, r0 to r4 otherwise free to any routine.
 
 start:  mov     #stack_top, sp
-        call    make_pool
 
 ; A phase has been announced.
 next_phase:

@@ -163,8 +163,11 @@ shade:  normal_times facet_light_rho, facet_light_phi, light_z
 2$:     mov     r0, (r5)
         normal_times facet_away_rho, facet_away_phi, away_z
         tst     r0
-        ble     3$
-        bis     #100000, (r5)
-3$:     tst     (r5)+
+        bgt     3$
+        blt     4$
+        cmp     r1, #40000              ; less than 1/16384 is the rounding's
+        blos    4$
+3$:     bis     #100000, (r5)
+4$:     tst     (r5)+
         add     #6, r4
         return

@@ -7,36 +7,24 @@ reserve_receive  = 6.           ; free blocks below which no message is taken in
 reserve_generate = 24.          ; below which no new spans are made while others wait to leave
 reserve_low      = 32.          ; below which triangles are drawn or sent at once rather than kept
 
-; Chains all blocks. Clobbers r0, r1, r2.
-make_pool:
-        mov     pool_start, r0
-        add     #4, r0
-        clr     r1
-        clr     free_count
-1$:     mov     r0, r2
-        add     block_size, r2
-        bcs     2$
-        cmp     r2, pool_end            ; r2 is 4 beyond the end of this block
-        bhi     2$
-        mov     r1, b_link(r0)
-        mov     r0, r1
-        inc     free_count
-        mov     r2, r0
-        br      1$
-2$:     mov     r1, free_list
-        return
-
-; A fresh block in r5. Clobbers nothing else. Waits for a queued message to leave if there is none.
+; A fresh block in r5. Clobbers nothing else. Blocks never used before are taken from the pool's untouched end. Waits for
+; a queued message to leave if there is none.
 get_block:
         mov     free_list, r5
         beq     1$
         mov     b_link(r5), free_list
         dec     free_count
         return
-1$:     tst     queue_mask
-        bne     2$
+1$:     mov     pool_next, r5
+        cmp     r5, pool_last
+        bhi     2$
+        add     block_size, pool_next
+        dec     free_count
+        return
+2$:     tst     queue_mask
+        bne     3$
         mov     #fault_pool, @#io_fault
-2$:     mov     r0, -(sp)
+3$:     mov     r0, -(sp)
         mov     r3, -(sp)
         mov     queue_mask, @#io_waitfor
         call    pump
