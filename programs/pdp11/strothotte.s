@@ -7,7 +7,7 @@
 ;   2 ASSEMBLE  triangles from own and received points; missing points are asked     assemble.s, request.s
 ;   3 SEEK      points still missing are looked for farther away                     request.s
 ;   4 TRANSFER  triangles travel to the owner of the pixel at their centre           transfer.s
-;   5 DRAW      scan conversion, hand-over of scanline parts, z-buffer               scan.s, span.s
+;   5 DRAW      scan conversion, hand-over of scanline parts, z-buffer               scan.s, span*.s
 ; docs/geodesic-program.md explains the whole; layout.s has the memory, the formats and the messages.
 
 phases_per_frame = 6
@@ -31,6 +31,7 @@ phases_per_frame = 6
         .include "strothotte/walk.s"
         .include "strothotte/scan.s"
         .include "strothotte/edge.s"
+        .include "strothotte/span_make.s"
         .include "strothotte/span.s"
         .include "strothotte/data.s"
         .include "strothotte/sine.s"

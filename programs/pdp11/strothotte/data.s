@@ -112,7 +112,6 @@ scanning:       .word   0               ; the triangle being drawn
 top_vertex:     .word   0
 middle_vertex:  .word   0
 low_vertex:     .word   0
-lower_end:      .word   0
 lower_half:     .word   0
 row:            .word   0
 first_row:      .word   0
@@ -121,11 +120,16 @@ edge_first:     .word   0
 edge_rows:      .word   0
 skip:           .word   0
 divisor:        .word   0
-span_more:      .word   0
 span_last:      .word   0
 span_row:       .word   0
-long_edge:      .blkb   e_size
-short_edge:     .blkb   e_size
+across:         .word   0               ; greatest width, and differences over it
+across_z:       .word   0
+across_i:       .word   0
+pixel_z:        .word   0, 0            ; growth a pixel
+pixel_i:        .word   0
+steep:          .word   0
+long_edge:      .blkw   12.
+short_edge:     .blkw   4
 
 ; Ports by twice their number
 k = 0

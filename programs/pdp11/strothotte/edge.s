@@ -1,23 +1,21 @@
 ; SPDX-License-Identifier: MIT
-; Edges of the triangle being drawn: x, depth and intensity at the centre line of the current row, and what they grow by a
-; row, each with 16 bits of fraction. Both triangles at an edge compute it alike, from its upper end to its lower one, so
+; Edges of the triangle being drawn: x, for the long edge also depth and intensity, at the centre line of the current row,
+; and what they grow by a row, each with 16 bits of fraction. Both triangles at an edge compute it alike, from its upper end to its lower one, so
 ; that no pixel between them is drawn twice or left out.
 
 e_x = 0                         ; value, fraction, growth, fraction of the growth
 e_z = 10
 e_i = 20
-e_size = 30
 
 ; In: r1 the upper vertex, r2 the lower one, r4 the edge. Out: r0 how many rows of the screen it covers, with flags;
-; edge_first the first of them. Clobbers r1 to r4.
+; edge_first the first of them; the edge's x. Clobbers r1 to r3; r4 moves behind x.
 set_edge:
         mov     2(r1), r0
         add     #31., r0
         ash     #-6, r0                 ; the first centre line at or below the upper vertex
         bge     1$
         clr     r0                      ; the screen's
-1$:     mov     r0, edge_first
-        mov     2(r2), r3
+1$:     mov     2(r2), r3
         add     #31., r3
         ash     #-6, r3
         cmp     r3, screen_height
@@ -26,30 +24,31 @@ set_edge:
 2$:     sub     r0, r3
         ble     3$
         mov     r3, edge_rows
+        mov     r0, edge_first
         ash     #6, r0
         add     #32., r0
         sub     2(r1), r0
         mov     r0, skip                ; from the vertex to that line
         mov     2(r2), divisor
         sub     2(r1), divisor
-        mov     r5, -(sp)
-        mov     r1, r5
-        mov     r2, lower_end
-        mov     (r5), r3
+        mov     (r1), r3
         mov     (r2), r2
         call    edge_value
-        mov     lower_end, r2
-        mov     4(r2), r2
-        mov     4(r5), r3
-        call    edge_value
-        mov     lower_end, r2
-        mov     6(r2), r2
-        mov     6(r5), r3
-        call    edge_value
-        mov     (sp)+, r5
         mov     edge_rows, r3
 3$:     mov     r3, r0
         return
+
+; Depth and intensity of the long edge, right after its set_edge. In: r4 as that left it. Clobbers r0 to r4.
+add_values:
+        mov     top_vertex, r3
+        mov     4(r3), r3
+        mov     low_vertex, r2
+        mov     4(r2), r2
+        call    edge_value
+        mov     top_vertex, r3
+        mov     6(r3), r3
+        mov     low_vertex, r2
+        mov     6(r2), r2
 
 ; Value r3 at the upper end, r2 at the lower: (r4)+ = value at the first line, and growth. Clobbers r0 to r2.
 edge_value:
@@ -83,11 +82,11 @@ slope:  mov     r2, r1
         sbc     r2
         return
 
-; The edge at r4 one row down.
-step_edge:
+; The long edge one row down.
+step_long:
         .irp    v, <e_x, e_z, e_i>
-        add     v+6(r4), v+2(r4)
-        adc     v(r4)
-        add     v+4(r4), v(r4)
+        add     long_edge+v+6, long_edge+v+2
+        adc     long_edge+v
+        add     long_edge+v+4, long_edge+v
         .endr
         return
