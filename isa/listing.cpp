@@ -76,7 +76,7 @@ std::string make_listing(const Assembly& assembly, const Isa& isa, const CostCho
                                    kColumnWidth + 1, "fetch", "data");
     std::string_view file;
     for (const AssembledLine& line : assembly.lines) {
-        if (line.where.file != file) {
+        if (!line.expanded && line.where.file != file) {
             file = line.where.file;
             fmt::format_to(std::back_inserter(text), "; {}\n", file);
         }

@@ -51,53 +51,20 @@ Stop ToyCore::trap(std::string what, std::uint32_t address) const {
     return {StopReason::trap, 0, Trap{std::move(what), state_.pc, address, 0}};
 }
 
-// Everything is done on a copy's behalf: `before` is what an instruction that cannot be finished
-// goes back to.
+// `before` is what an instruction that cannot be finished goes back to.
 Stop ToyCore::execute(Bus* bus) {
     take_interrupt();
     const State before = state_;
-    const std::uint32_t byte = state_.pc < memory_.size() ? memory_[state_.pc] : 0xff;
-    const InstructionRow* row = find_instruction(byte);
     if (state_.pc >= memory_.size()) {
         return trap("no memory to fetch from", state_.pc);
     }
+    const unsigned byte = memory_[state_.pc];
+    const InstructionRow* row = find_instruction(byte);
     if (row == nullptr) {
         return trap("reserved instruction", byte);
     }
-    const auto length = static_cast<std::uint32_t>(length_of(*row, byte));
-    const auto operation = static_cast<Operation>(row->operation);
-    StopReason reason = StopReason::budget;
-    Access access = Access::done;
     std::uint32_t address = 0;
-    switch (operation) {
-        case Operation::hlt:
-            reason = StopReason::halt;
-            break;
-        case Operation::wai:
-            reason = StopReason::wait;
-            break;
-        case Operation::nop:
-            break;
-        case Operation::ei:
-            set_flag(kInterrupts, true);
-            break;
-        case Operation::di:
-            set_flag(kInterrupts, false);
-            break;
-        case Operation::ldx:
-            state_.x = word_at(state_.pc + 1);
-            break;
-        case Operation::lda:
-        case Operation::add:
-        case Operation::sub:
-            access = load(*row, byte, bus, address);
-            break;
-        case Operation::sta:
-            access = store(byte, bus, address);
-            break;
-        default:
-            break;
-    }
+    const Access access = perform(*row, byte, bus, address);
     if (access != Access::done) {
         state_ = before;
         if (access == Access::nothing_there) {
@@ -105,10 +72,38 @@ Stop ToyCore::execute(Bus* bus) {
         }
         return {access == Access::io ? StopReason::io : StopReason::retry, 0, std::nullopt};
     }
-    state_.pc = (before.pc + length) & 0xffff;
+    const auto operation = static_cast<Operation>(row->operation);
+    state_.pc = (before.pc + static_cast<std::uint32_t>(length_of(*row, byte))) & 0xffff;
     branch(operation);
     ++retired_;
+    const StopReason reason = operation == Operation::hlt   ? StopReason::halt
+                              : operation == Operation::wai ? StopReason::wait
+                                                            : StopReason::budget;
     return {reason, cost_of_instruction(*row, byte, program_->costs).total(), std::nullopt};
+}
+
+// What an instruction does beside going on; `address` becomes the one it accesses, if it does.
+ToyCore::Access ToyCore::perform(const InstructionRow& row, unsigned byte, Bus* bus,
+                                 std::uint32_t& address) {
+    switch (static_cast<Operation>(row.operation)) {
+        case Operation::ei:
+            set_flag(kInterrupts, true);
+            return Access::done;
+        case Operation::di:
+            set_flag(kInterrupts, false);
+            return Access::done;
+        case Operation::ldx:
+            state_.x = word_at(state_.pc + 1);
+            return Access::done;
+        case Operation::lda:
+        case Operation::add:
+        case Operation::sub:
+            return load(row, byte, bus, address);
+        case Operation::sta:
+            return store(byte, bus, address);
+        default:
+            return Access::done;
+    }
 }
 
 void ToyCore::take_interrupt() {

@@ -62,6 +62,7 @@ class ToyCore final : public Core {
     enum class Access { done, io, retry, nothing_there };
 
     Stop execute(Bus* bus);  // one instruction; without a bus it stops before an I/O access
+    Access perform(const InstructionRow& row, unsigned byte, Bus* bus, std::uint32_t& address);
     Stop trap(std::string what, std::uint32_t address) const;
     void take_interrupt();
     std::uint32_t operand_address(unsigned byte, bool load);
