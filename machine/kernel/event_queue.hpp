@@ -28,6 +28,7 @@ class EventQueue {
 
   private:
     static constexpr std::size_t kChildren = 4;
+    std::size_t least_of_four(std::size_t first) const;
     void sift_down_from_root(const Event& event);
 
     std::vector<Event> heap_;

@@ -4,6 +4,7 @@
 #include "machine/node/registers.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -38,6 +39,9 @@ void MessagePorts::enqueue(int port_number, std::span<const std::uint8_t> bytes,
     message.id = static_cast<std::uint64_t>(node_) << 32U | sent_++;
     message.source = node_;
     message.port = static_cast<std::uint8_t>(port_number);
+    if (message.bytes.capacity() < bytes.size()) {
+        message.bytes.reserve(std::bit_ceil(bytes.size()));  // the place is used again, for other lengths
+    }
     message.bytes.assign(bytes.begin(), bytes.end());
     message.queued = now;
     ++queued_;

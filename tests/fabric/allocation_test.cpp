@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// A machine in its steady state allocates nothing: counted by a global operator new of this
+// program's own.
+#include "machine/fabric/network.hpp"
+#include "tests/node/script_program.hpp"
+#include "topologies/regular.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include <gtest/gtest.h>
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+    ++allocations;
+    if (void* memory = std::malloc(bytes)) {
+        return memory;
+    }
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace rasterloom {
+namespace {
+
+using Verb = ScriptCore::Verb;
+
+// Two messages a node, of 20 to 63 bytes, which go round for ever.
+Script endless_traffic() {
+    Script s;
+    s.send(0, 20).send(1, 20);
+    s.label("loop").write(node_register(NodeRegister::waitfor), kWaitMessage);
+    s.load(1, node_register(NodeRegister::rxany))
+        .set(2, 0)
+        .store(2, port_register(PortRegister::rxaddr), 1);
+    s.op(Verb::random, 1, 0, 2).op(Verb::random, 3, 0, 44).op(Verb::add, 3, 0, 20);
+    s.store(2, port_register(PortRegister::txaddr), 1)
+        .store(3, port_register(PortRegister::txlen), 1);
+    return s.jump(Verb::jump, "loop");
+}
+
+TEST(SteadyState, AllocatesNothing) {
+    const topology::Topology ring = topology::ring(16);
+    Simulation simulation;
+    std::vector<Processor*> processors;
+    const LinkSettings link{Duration(), Duration::nanoseconds(10), Duration::nanoseconds(50), 32};
+    for (NodeIndex node = 0; node < 16; ++node) {
+        Processor::Settings settings;
+        settings.node = node;
+        settings.clock = Clock::with_period(Duration::nanoseconds(10));
+        settings.ports = {2, 32, link.input_queue, SendPolicy::one_at_a_time};
+        settings.max_message = 64;
+        settings.supervised = false;
+        processors.push_back(&simulation.add<Processor>(
+            "node/" + std::to_string(100 + node),
+            std::make_unique<ScriptCore>(endless_traffic().program(), node + 1), settings));
+    }
+    const auto links = connect_network(simulation, ring, processors, link);
+    simulation.seal();
+    ASSERT_EQ(simulation.run(Time::zero() + Duration::milliseconds(20)).end, RunEnd::limit);
+    const auto messages = [&] {
+        std::int64_t sum = 0;
+        for (const NetworkLink& one : links) {
+            sum += one.link->statistics().messages;
+        }
+        return sum;
+    };
+    const std::int64_t messages_before = messages();
+    const long before = allocations;
+    simulation.run(Time::zero() + Duration::milliseconds(24));
+    EXPECT_EQ(allocations - before, 0);
+    EXPECT_GT(messages() - messages_before, 10'000);
+}
+
+}  // namespace
+}  // namespace rasterloom
