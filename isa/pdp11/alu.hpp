@@ -79,7 +79,8 @@ inline std::int32_t extend_word(std::uint32_t value) {
     return static_cast<std::int16_t>(value);
 }
 
-// Two-operand word operations.
+// Two-operand word operations. Bits above the result's 16 mean nothing: whoever stores it cuts them
+// off.
 template <Operation op>
 [[gnu::always_inline]] inline std::uint32_t combine(std::uint32_t src, std::uint32_t dst,
                                                     Flags& f) {
@@ -87,11 +88,11 @@ template <Operation op>
     if constexpr (op == add) {
         const std::uint32_t sum = dst + src;
         f = {extend_word(sum), sum, (dst ^ sum) & (src ^ sum)};
-        return sum & 0xFFFFU;
+        return sum;
     } else if constexpr (op == sub) {
         const std::uint32_t difference = dst - src;
         f = {extend_word(difference), difference, (dst ^ src) & (dst ^ difference)};
-        return difference & 0xFFFFU;
+        return difference;
     } else if constexpr (op == cmp) {
         const std::uint32_t difference = src - dst;
         f = {extend_word(difference), difference, (src ^ dst) & (src ^ difference)};
@@ -163,7 +164,7 @@ template <Operation op, std::uint32_t unit>
         f.v = r ^ ((out / unit) << 15);
     }
     f.nz = extend_word(r);
-    return r & 0xFFFFU;
+    return r;
 }
 
 }  // namespace alu
@@ -173,7 +174,7 @@ template <Operation op>
 [[gnu::always_inline]] inline std::uint32_t combine(std::uint32_t src, std::uint32_t dst,
                                                     Flags& f) {
     if constexpr (is_byte(op)) {
-        return alu::combine<word_form(op)>(src << 8, dst << 8, f) >> 8;
+        return (alu::combine<word_form(op)>(src << 8, dst << 8, f) >> 8) & 0xFFU;
     } else {
         return alu::combine<op>(src, dst, f);
     }
@@ -191,7 +192,7 @@ template <Operation op>
         f.v = 0;
         return static_cast<std::uint16_t>(f.nz);
     } else if constexpr (is_byte(op)) {
-        return alu::change<word_form(op), 0x100U>(dst << 8, f) >> 8;
+        return (alu::change<word_form(op), 0x100U>(dst << 8, f) >> 8) & 0xFFU;
     } else {
         return alu::change<op, 1U>(dst, f);
     }

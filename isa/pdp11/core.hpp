@@ -46,8 +46,8 @@ class Pdp11Core final : public Core {
     // For tests: traps and interrupts taken, and blocks of decoded code not shared with other
     // cores.
     std::int64_t traps_taken() const { return m_->traps; }
-    // Status words loaded that ask for processor modes, which this model has not.
-    std::int64_t mode_bits_dropped() const { return m_->mode_bits_dropped; }
+    // Times the program used what this model has not: processor modes, a stack in the I/O page.
+    std::int64_t beyond_model() const { return m_->beyond_model; }
     std::size_t own_blocks() const { return cache_.own_blocks(); }
 
   private:

@@ -54,10 +54,9 @@ enum class Place : std::uint8_t {
     increment_deferred,
     indexed_deferred,
     absolute_deferred,
-    immediate,  // source only
+    immediate,  // of a destination only where the instruction just looks at it
 };
-inline constexpr int kDestinationPlaces = 10;
-inline constexpr int kSourcePlaces = 11;
+inline constexpr int kPlaces = 11;
 
 // An instruction as the decoder sees it before it chooses a handler.
 struct Decoded {

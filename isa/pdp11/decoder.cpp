@@ -76,11 +76,11 @@ class InstructionDecoder {
     static bool usual_register(unsigned reg) { return reg != kProgramCounter; }
 
     // Takes the operand's extension word; empty for what only the interpreter does.
-    std::optional<OperandPlace> operand(unsigned spec, bool byte, bool source) {
+    std::optional<OperandPlace> operand(unsigned spec, bool byte, bool only_read) {
         const unsigned mode = (spec >> 3) & 7U;
         const auto reg = static_cast<std::uint8_t>(spec & 7U);
         if (mode >= 6 || (reg == kProgramCounter && (mode == 2 || mode == 3))) {
-            return with_extension(mode, reg, source);
+            return with_extension(mode, reg, only_read);
         }
         if (reg == kProgramCounter || (byte && reg == kStackPointer && (mode == 2 || mode == 4))) {
             return std::nullopt;
@@ -101,7 +101,7 @@ class InstructionDecoder {
         }
     }
 
-    std::optional<OperandPlace> with_extension(unsigned mode, std::uint8_t reg, bool source) {
+    std::optional<OperandPlace> with_extension(unsigned mode, std::uint8_t reg, bool only_read) {
         std::uint16_t extension = next_ < view_.words ? view_.word(next_) : std::uint16_t{0};
         ++next_;
         if (reg != kProgramCounter) {
@@ -111,7 +111,7 @@ class InstructionDecoder {
         if (mode >= 6)
             extension = static_cast<std::uint16_t>(extension + 2 * next_);
         if (mode == 2) {
-            if (!source)
+            if (!only_read)
                 return std::nullopt;
             return OperandPlace{Place::immediate, extension, 0};
         }
@@ -119,7 +119,7 @@ class InstructionDecoder {
     }
 
     std::optional<OperandPlace> destination(unsigned spec, bool byte) {
-        const auto place = operand(spec, byte, false);
+        const auto place = operand(spec, byte, only_reads(out_.op));
         if (place) {
             out_.dst = place->place;
             out_.entry.b = place->extension;

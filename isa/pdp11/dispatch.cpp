@@ -3,6 +3,7 @@
 
 #include "isa/pdp11/code_cache.hpp"
 #include "isa/pdp11/interpreter.hpp"
+#include "isa/pdp11/program.hpp"
 
 namespace rasterloom::isa::pdp11 {
 namespace {
@@ -34,6 +35,10 @@ Exit look_up(RASTERLOOM_STATE) {
     }
     e = m->cache->enter(m->r[kProgramCounter]);
     RASTERLOOM_DISPATCH;
+}
+
+std::int64_t cost_of_first(const Machine* m, const Entry* e) {
+    return cost_units(m->program->costs().attempt(m->load_word(e->pc)));
 }
 
 Exit interpret(RASTERLOOM_STATE) {

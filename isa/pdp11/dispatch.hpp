@@ -67,6 +67,9 @@ Exit stop_endless(RASTERLOOM_STATE);
 // Goes on at r[7]: stops when the budget is spent, decodes what has not been decoded.
 Exit look_up(RASTERLOOM_STATE);
 
+// What the instruction of `e` costs by itself, when its entry's handler runs two.
+std::int64_t cost_of_first(const Machine* m, const Entry* e);
+
 // The entry of a byte address, or null where there is no decoded code (an odd address, the I/O
 // page).
 [[gnu::always_inline]] inline const Entry* find(const Machine* m, std::uint16_t address) {

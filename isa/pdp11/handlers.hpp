@@ -25,6 +25,19 @@ constexpr int extra_words(Place p) {
                : 0;
 }
 
+// An entry's operand fields. Where the decoder knows that two instructions name the same register,
+// one copy of its number lets the compiler keep the value in a register of the host.
+struct Operands {
+    std::uint16_t a;
+    std::uint16_t b;
+    std::uint8_t src;
+    std::uint8_t dst;
+};
+
+[[gnu::always_inline]] inline Operands operands_of(const Entry* e) {
+    return {e->a, e->b, e->src, e->dst};
+}
+
 [[gnu::always_inline]] inline bool load_pointer(const Machine* m, std::uint16_t from,
                                                 std::uint16_t& address) {
     if (Machine::word_index(from) >= m->memory_words) [[unlikely]]
@@ -135,37 +148,44 @@ template <bool byte, Place p>
 }
 
 template <Operation op, Place s, Place d>
-[[gnu::always_inline]] inline bool twofold_body(Machine* m, const Entry* e, Flags& f) {
+[[gnu::always_inline]] inline bool twofold_body(Machine* m, const Operands& o, Flags& f) {
     constexpr bool byte = is_byte(op);
     std::uint32_t src = 0;
-    const std::uint16_t src_before = moves_register(s) ? m->r[e->src] : std::uint16_t{0};
+    const std::uint16_t src_before = moves_register(s) ? m->r[o.src] : std::uint16_t{0};
     // A register source is read last: see the operand order in interpreter.hpp.
     if constexpr (s != Place::reg) {
-        if (!fetch_source<byte, s>(m, e->src, e->a, src)) [[unlikely]]
+        if (!fetch_source<byte, s>(m, o.src, o.a, src)) [[unlikely]]
             return false;
     }
-    if constexpr (d == Place::reg) {
+    if constexpr (d == Place::immediate) {
+        static_assert(only_reads(op));
+        if constexpr (s == Place::reg) {
+            src = get_register<byte>(m, o.src);
+        }
+        combine<op>(src, byte ? o.b & 0xFFU : o.b, f);
+        return true;
+    } else if constexpr (d == Place::reg) {
         if constexpr (s == Place::reg)
-            src = get_register<byte>(m, e->src);
-        const std::uint32_t dst = only_writes(op) ? 0U : get_register<byte>(m, e->dst);
+            src = get_register<byte>(m, o.src);
+        const std::uint32_t dst = only_writes(op) ? 0U : get_register<byte>(m, o.dst);
         const std::uint32_t result = combine<op>(src, dst, f);
         if constexpr (!only_reads(op))
-            set_register<op>(m, e->dst, result);
+            set_register<op>(m, o.dst, result);
         return true;
     } else {
-        const std::uint16_t dst_before = moves_register(d) ? m->r[e->dst] : std::uint16_t{0};
+        const std::uint16_t dst_before = moves_register(d) ? m->r[o.dst] : std::uint16_t{0};
         std::uint16_t address = 0;
-        const bool located = locate < d, byte ? 1U : 2U > (m, e->dst, e->b, address);
+        const bool located = locate < d, byte ? 1U : 2U > (m, o.dst, o.b, address);
         if (!located || !(only_reads(op) ? readable<byte>(m, address) : writable<byte>(m, address)))
             [[unlikely]] {
             if constexpr (moves_register(d))
-                m->r[e->dst] = dst_before;
+                m->r[o.dst] = dst_before;
             if constexpr (moves_register(s))
-                m->r[e->src] = src_before;
+                m->r[o.src] = src_before;
             return false;
         }
         if constexpr (s == Place::reg)
-            src = get_register<byte>(m, e->src);
+            src = get_register<byte>(m, o.src);
         const std::uint32_t dst = only_writes(op) ? 0U : load<byte>(m, address);
         const std::uint32_t result = combine<op>(src, dst, f);
         if constexpr (!only_reads(op))
@@ -175,22 +195,26 @@ template <Operation op, Place s, Place d>
 }
 
 template <Operation op, Place d>
-[[gnu::always_inline]] inline bool single_body(Machine* m, const Entry* e, Flags& f) {
+[[gnu::always_inline]] inline bool single_body(Machine* m, const Operands& o, Flags& f) {
     constexpr bool byte = is_byte(op);
-    if constexpr (d == Place::reg) {
-        const std::uint32_t dst = only_writes(op) ? 0U : get_register<byte>(m, e->dst);
+    if constexpr (d == Place::immediate) {
+        static_assert(only_reads(op));
+        change<op>(byte ? o.b & 0xFFU : o.b, f);
+        return true;
+    } else if constexpr (d == Place::reg) {
+        const std::uint32_t dst = only_writes(op) ? 0U : get_register<byte>(m, o.dst);
         const std::uint32_t result = change<op>(dst, f);
         if constexpr (!only_reads(op))
-            set_register<op>(m, e->dst, result);
+            set_register<op>(m, o.dst, result);
         return true;
     } else {
-        const std::uint16_t before = moves_register(d) ? m->r[e->dst] : std::uint16_t{0};
+        const std::uint16_t before = moves_register(d) ? m->r[o.dst] : std::uint16_t{0};
         std::uint16_t address = 0;
-        const bool located = locate < d, byte ? 1U : 2U > (m, e->dst, e->b, address);
+        const bool located = locate < d, byte ? 1U : 2U > (m, o.dst, o.b, address);
         if (!located || !(only_reads(op) ? readable<byte>(m, address) : writable<byte>(m, address)))
             [[unlikely]] {
             if constexpr (moves_register(d))
-                m->r[e->dst] = before;
+                m->r[o.dst] = before;
             return false;
         }
         const std::uint32_t dst = only_writes(op) ? 0U : load<byte>(m, address);
@@ -203,12 +227,12 @@ template <Operation op, Place d>
 
 // MUL, DIV, ASH, ASHC: operand in the destination's fields, register in the source's.
 template <Operation op, Place p>
-[[gnu::always_inline]] inline bool extended_body(Machine* m, const Entry* e, Flags& f) {
+[[gnu::always_inline]] inline bool extended_body(Machine* m, const Operands& o, Flags& f) {
     std::uint32_t src = 0;
-    if (!fetch_source<false, p>(m, e->dst, e->b, src)) [[unlikely]]
+    if (!fetch_source<false, p>(m, o.dst, o.b, src)) [[unlikely]]
         return false;
-    std::uint16_t& high = m->r[e->src];
-    std::uint16_t& low = m->r[e->src | 1U];
+    std::uint16_t& high = m->r[o.src];
+    std::uint16_t& low = m->r[o.src | 1U];
     if constexpr (op == Operation::mul) {
         const auto product = static_cast<std::uint32_t>(multiply(src, high, f));
         high = static_cast<std::uint16_t>(product >> 16);
@@ -232,10 +256,15 @@ template <Operation op, Place p>
     return true;
 }
 
+// Whether the operation can have this destination.
+constexpr bool has_handler(Operation op, Place d) {
+    return d != Place::immediate || only_reads(op);
+}
+
 template <Operation op, Place s, Place d>
 Exit run_twofold(RASTERLOOM_STATE) {
     Flags f{nz, c, v};
-    if (!twofold_body<op, s, d>(m, e, f)) [[unlikely]]
+    if (!twofold_body<op, s, d>(m, operands_of(e), f)) [[unlikely]]
         RASTERLOOM_TAIL interpret(RASTERLOOM_UNCHANGED);
     left -= e->cost;
     e += 1 + extra_words(s) + extra_words(d);
@@ -245,7 +274,7 @@ Exit run_twofold(RASTERLOOM_STATE) {
 template <Operation op, Place d>
 Exit run_single(RASTERLOOM_STATE) {
     Flags f{nz, c, v};
-    if (!single_body<op, d>(m, e, f)) [[unlikely]]
+    if (!single_body<op, d>(m, operands_of(e), f)) [[unlikely]]
         RASTERLOOM_TAIL interpret(RASTERLOOM_UNCHANGED);
     left -= e->cost;
     e += 1 + extra_words(d);

@@ -7,20 +7,29 @@
 namespace rasterloom::isa::pdp11 {
 namespace {
 
+template <Operation op, Place d>
+constexpr Handler single_place() {
+    if constexpr (has_handler(op, d)) {
+        return &run_single<op, d>;
+    } else {
+        return nullptr;
+    }
+}
+
 template <Operation op>
 Handler entry(Place dst) {
     return []<std::size_t... i>(Place place, std::index_sequence<i...>) {
-        static constexpr std::array<Handler, kDestinationPlaces> kTable = {
-            &run_single<op, static_cast<Place>(i)>...};
+        static constexpr std::array<Handler, kPlaces> kTable = {
+            single_place<op, static_cast<Place>(i)>()...};
         return kTable[static_cast<std::size_t>(place)];
     }
-    (dst, std::make_index_sequence<kDestinationPlaces>{});
+    (dst, std::make_index_sequence<kPlaces>{});
 }
 
 template <Operation op, Place p>
 Exit run_extended(RASTERLOOM_STATE) {
     Flags f{nz, c, v};
-    if (!extended_body<op, p>(m, e, f)) [[unlikely]]
+    if (!extended_body<op, p>(m, operands_of(e), f)) [[unlikely]]
         RASTERLOOM_TAIL interpret(RASTERLOOM_UNCHANGED);
     left -= e->cost;
     e += 1 + extra_words(p);
@@ -30,11 +39,11 @@ Exit run_extended(RASTERLOOM_STATE) {
 template <Operation op>
 Handler extended_entry(Place src) {
     return []<std::size_t... i>(Place place, std::index_sequence<i...>) {
-        static constexpr std::array<Handler, kSourcePlaces> kTable = {
+        static constexpr std::array<Handler, kPlaces> kTable = {
             &run_extended<op, static_cast<Place>(i)>...};
         return kTable[static_cast<std::size_t>(place)];
     }
-    (src, std::make_index_sequence<kSourcePlaces>{});
+    (src, std::make_index_sequence<kPlaces>{});
 }
 
 }  // namespace

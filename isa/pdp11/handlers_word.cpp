@@ -7,11 +7,11 @@ namespace {
 template <Operation op>
 Handler xor_entry(Place dst) {
     return []<std::size_t... i>(Place place, std::index_sequence<i...>) {
-        static constexpr std::array<Handler, kDestinationPlaces> kTable = {
-            &run_twofold<op, Place::reg, static_cast<Place>(i)>...};
+        static constexpr std::array<Handler, kPlaces> kTable = {
+            twofold_handler<op, Place::reg, static_cast<Place>(i)>()...};
         return kTable[static_cast<std::size_t>(place)];
     }
-    (dst, std::make_index_sequence<kDestinationPlaces>{});
+    (dst, std::make_index_sequence<kPlaces>{});
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ bool Interpreter::bus_write(std::uint16_t address, std::uint32_t value, int byte
 // this model.
 void Interpreter::write_status(std::uint16_t address, std::uint32_t value, bool byte) {
     if (byte && address != kStatusWord) {
-        m_.mode_bits_dropped += value != 0 ? 1 : 0;
+        m_.beyond_model += value != 0 ? 1 : 0;
         return;
     }
     const bool trace_bit = m_.trace;
@@ -142,6 +142,7 @@ bool Interpreter::vector_through(std::uint16_t vector, Outcome& outcome) {
         return Machine::word_index(address) < m_.memory_words || address == kStatusWord;
     };
     if (!can_hold(sp) || !can_hold(top)) {
+        m_.beyond_model += top >= kIoPage ? 1 : 0;
         if (m_.report_unhandled && m_.load_word(4) == 0) {
             address_ = sp;
             report(outcome, "the stack pointer is no place to save status and address", 4);

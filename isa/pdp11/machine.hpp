@@ -65,8 +65,8 @@ struct Machine {
     const Program* program;
     CodeCache* cache;
     Fault fault;
-    std::int64_t traps;              // taken, interrupts included
-    std::int64_t mode_bits_dropped;  // status words loaded whose upper byte this model has not
+    std::int64_t traps;         // taken, interrupts included
+    std::int64_t beyond_model;  // uses of processor modes, of a stack in the I/O page
     std::array<const Entry*, kBlocks + 1>
         blocks;  // decoded code by address; null where none is yet
     std::array<std::uint32_t, kIoPage / 64 + 2> code;
@@ -77,7 +77,7 @@ struct Machine {
     }
     void set_status_word(unsigned value) {
         if ((value & 0177400U) != 0) {
-            ++mode_bits_dropped;
+            ++beyond_model;
         }
         flags.set_codes(value);
         trace = (value & 020U) != 0;

@@ -79,9 +79,9 @@ Extent measure(pdp11::Pdp11Core& core, std::size_t limit) {
             break;
         }
         const auto traps = core.traps_taken();
-        const auto dropped = core.mode_bits_dropped();
+        const auto dropped = core.beyond_model();
         const Stop stop = core.run(1);
-        if (stop.reason != StopReason::budget || core.mode_bits_dropped() != dropped)
+        if (stop.reason != StopReason::budget || core.beyond_model() != dropped)
             break;
         ++now.calls;
         now.instructions += fetched ? 1U : 0U;

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// A part of the pairs' handlers: four files, for they take long to compile.
+#include "isa/pdp11/fused.hpp"
+
+namespace rasterloom::isa::pdp11 {
+
+Handler pair_handler_b(std::size_t first, std::size_t second, Link link) {
+    return pair_among<kPairsA, kPairsB>(first, second, link);
+}
+
+}  // namespace rasterloom::isa::pdp11
