@@ -36,13 +36,17 @@ void print_rows(std::vector<Row> rows) {
     }
 }
 
-// A file's first comment line, without its sign.
+// A file's first comment line that says something, without its sign.
 std::string first_comment(const fs::path& path) {
     std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    const std::size_t begin = line.find_first_not_of("#;/ \t");
-    return begin == std::string::npos ? std::string() : line.substr(begin);
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t begin = line.find_first_not_of("#;/ \t");
+        if (begin != std::string::npos &&
+            line.find("SPDX-License-Identifier") == std::string::npos) {
+            return line.substr(begin);
+        }
+    }
+    return {};
 }
 
 // Files below `folder` with this extension, named relative to it.

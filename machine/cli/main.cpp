@@ -6,8 +6,11 @@
 #include "machine/config/error.hpp"
 #include "machine/observe/output_folder.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -40,6 +43,22 @@ void set_up(CLI::App& app, Session& session) {
     add_list_command(app, session);
 }
 
+// CLI11 only says that a subcommand is missing when the user's is not known.
+void check_subcommand(const CLI::App& app, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') {
+        return;
+    }
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        names.push_back(command->get_name());
+    }
+    if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
+        config::refuse({"command line", 0, 0}, {}, argv[1], "no such subcommand",
+                       fmt::format("one of {}", fmt::join(names, ", ")),
+                       config::nearest_name(argv[1], names));
+    }
+}
+
 int status(ExitStatus value) {
     return static_cast<int>(value);
 }
@@ -55,6 +74,7 @@ int run(int argc, char** argv) {
     Session session;
     set_up(app, session);
     try {
+        check_subcommand(app, argc, argv);
         app.parse(argc, argv);
         return status(session.status);
     } catch (const CLI::ParseError& error) {

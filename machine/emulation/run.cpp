@@ -88,9 +88,25 @@ RunResult run_in_slices(Machine& machine, const MachineDescription& description,
     }
 }
 
+// A deadlock of thousands of nodes names the first waiting ones and counts the rest.
+std::string first_lines(const std::string& text) {
+    constexpr int kShown = 24;
+    std::size_t end = 0;
+    for (int line = 0; line < kShown; ++line) {
+        const std::size_t newline = text.find('\n', end);
+        if (newline == std::string::npos) {
+            return text;
+        }
+        end = newline + 1;
+    }
+    const auto rest =
+        1 + std::count(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), '\n');
+    return fmt::format("{}  and {} more", text.substr(0, end), rest);
+}
+
 std::string failure_of(const RunResult& result, const MachineDescription& description) {
     if (result.end == RunEnd::failed) {
-        return result.failure->message();
+        return first_lines(result.failure->message());
     }
     if (result.end == RunEnd::limit) {
         return fmt::format(

@@ -32,6 +32,10 @@ OutputFolder::OutputFolder(const fs::path& final_folder) {
         throw OutputError(
             fmt::format("{}: is a file; expected a folder to write to", final_.string()));
     }
+    for (fs::path parent = final_.parent_path(); !parent.empty() && !fs::exists(parent, error);
+         parent = parent.parent_path()) {
+        made_parents_.push_back(parent);
+    }
     fs::remove_all(partial_, error);
     fs::create_directories(partial_, error);
     if (error) {
@@ -43,6 +47,9 @@ OutputFolder::OutputFolder(const fs::path& final_folder) {
 OutputFolder::~OutputFolder() {
     std::error_code ignored;
     fs::remove_all(partial_, ignored);
+    for (const fs::path& parent : made_parents_) {
+        fs::remove(parent, ignored);  // refused while something is in it
+    }
 }
 
 void OutputFolder::commit() {

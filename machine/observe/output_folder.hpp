@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rasterloom::observe {
 
@@ -22,7 +23,7 @@ class OutputFolder {
     explicit OutputFolder(const std::filesystem::path& final_folder);
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
-    // Removes everything that was not committed.
+    // Removes everything that was not committed, folders on the way included.
     ~OutputFolder();
 
     // Where to write the file that will be called `name`.
@@ -36,6 +37,7 @@ class OutputFolder {
   private:
     std::filesystem::path final_;
     std::filesystem::path partial_;
+    std::vector<std::filesystem::path> made_parents_;  // innermost first
 };
 
 // Writes a whole file under a temporary name and renames it. Throws OutputError.

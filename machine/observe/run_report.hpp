@@ -70,7 +70,8 @@ struct RunReport {
     std::vector<LinkReport> links;
     std::vector<std::string> phase_names;     // [phase of the frame]; may be shorter
     std::vector<std::string> activity_names;  // [activity that MARK names]; may be shorter
-    std::uint64_t events = 0;                 // handled by the kernel
+    // Handled by the kernel: depends on how the run was sliced, so it is in no file.
+    std::uint64_t events = 0;
 
     std::string phase_name(std::int64_t phase) const;  // "rotate", or "phase 0" when it has no name
     std::string activity_name(int activity) const;

@@ -145,7 +145,6 @@ std::string statistics_json(const RunReport& report) {
     json["cycles_u"] = report.cycles();
     json["messages"] = report.messages();
     json["bytes"] = report.bytes();
-    json["events"] = report.events;
     json["frames"] = frames_json(report);
     json["phases"] = phases_json(report);
     json["activities"] = activities_json(report);

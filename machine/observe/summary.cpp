@@ -186,10 +186,10 @@ std::string summary(const RunReport& report, double wall_seconds) {
     if (wall_seconds > 0) {
         fmt::format_to(out,
                        "Emulated in     {} of wall time: {:.2f} million instructions/s, real-time "
-                       "factor {:.3g}\n",
+                       "factor {:.3g}, {} events\n",
                        human(Duration::picoseconds(static_cast<std::int64_t>(wall_seconds * 1e12))),
                        static_cast<double>(instructions) / wall_seconds / 1e6,
-                       seconds(report.end.since_start()) / wall_seconds);
+                       seconds(report.end.since_start()) / wall_seconds, report.events);
     }
     add_phases(text, report);
     add_busiest(text, report);

@@ -12,6 +12,14 @@
 
 phases_per_frame = 6
 
+; as statistics name them
+phase_name_rotate   = 0
+phase_name_points   = 1
+phase_name_assemble = 2
+phase_name_seek     = 3
+phase_name_transfer = 4
+phase_name_draw     = 5
+
         .include "strothotte/ports.s"
         .include "strothotte/macros.s"
         .include "strothotte/layout.s"

@@ -39,9 +39,9 @@ class OutputFolderTest : public testing::Test {
 
 TEST_F(OutputFolderTest, LeavesNothingBehindUnlessCommitted) {
     {
-        const OutputFolder folder(root_ / "out");
+        const OutputFolder folder(root_ / "new" / "deep" / "out");
         write(folder.file("a.csv"), "half");
-        EXPECT_FALSE(fs::exists(root_ / "out"));
+        EXPECT_FALSE(fs::exists(root_ / "new" / "deep" / "out"));
     }
     EXPECT_EQ(entries(), 0U);
 }

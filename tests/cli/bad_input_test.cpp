@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Every kind of bad input ends with one clear message, its exit status, and no output.
+#include "tests/cli/command_line.hpp"
+
+#include <fstream>
+#include <ostream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rasterloom::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct BadInput {
+    const char* name;
+    std::vector<std::string> arguments;
+    int status;
+    std::vector<std::string> said;
+};
+
+void PrintTo(const BadInput& input, std::ostream* out) {
+    *out << input.name;
+}
+
+const std::string kRing = "ring.yaml";
+
+std::vector<std::string> run_ring(const std::string& program_name,
+                                  std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"run", kRing, "--set",
+                                       "nodes.program=" + program(program_name)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+const std::vector<BadInput> kBadInputs{
+    {"Usage", {}, 2, {"A subcommand is required"}},
+    {"Subcommand", {"rnu"}, 2, {"no such subcommand 'rnu'", "did you mean 'run'?"}},
+    {"Option", {"run", kRing, "--fast"}, 2, {"--fast"}},
+    {"MissingConfiguration", {"run", "nowhere.yaml"}, 2, {"nowhere.yaml", "cannot be read"}},
+    {"Key",
+     {"run", kRing, "--set", "links.time_per_byt=1us"},
+     2,
+     {"unknown key", "did you mean 'time_per_byte'?"}},
+    {"Type",
+     {"run", kRing, "--set", "links.input_queue=many"},
+     2,
+     {"--set links.input_queue", "not a whole number 'many'"}},
+    {"Unit",
+     {"run", kRing, "--set", "links.latency=3"},
+     2,
+     {"a number without a unit '3'", "300ns"}},
+    {"Value", {"run", kRing, "--set", "links.input_queue=0"}, 2, {"out of range '0'", "from 1 to"}},
+    {"ProgramFile", {"run", kRing, "--set", "nodes.program=x.s"}, 2, {"no such file", "'x.s'"}},
+    {"Topology",
+     {"run", kRing, "--set", "topology.kind=rink"},
+     2,
+     {"no topology 'rink'", "did you mean 'ring'?"}},
+    {"TopologyParameter", {"run", kRing, "--set", "topology.nodes=1"}, 2, {"topology"}},
+    {"InstructionSet", {"run", kRing, "--set", "nodes.isa=pdp12"}, 2, {"'pdp12'", "pdp11"}},
+    {"CostParameter",
+     {"run", kRing, "--set", "nodes.cost.multply=3"},
+     2,
+     {"'multply'", "did you mean 'multiply'?"}},
+    {"Memory", {"run", kRing, "--set", "nodes.memory=300B"}, 2, {"does not fit", "at least"}},
+    {"TooMuchMemory",
+     {"run", kRing, "--set", "nodes.memory=64KiB"},
+     2,
+     {"too large '65536'", "57344"}},
+    {"SceneOnARing",
+     {"run", kRing, "--set", "scene.object=cube"},
+     2,
+     {"topology.kind", "geodesic"}},
+    {"MissingMesh",
+     {"run", "geodesic482.yaml", "--mesh", "none.obj"},
+     2,
+     {"--mesh", "no such file", "none.obj"}},
+    {"UnknownObject",
+     {"run", "geodesic482.yaml", "--set", "scene.object=teapod"},
+     2,
+     {"did you mean 'teapot'?"}},
+    {"BrokenMesh",
+     {"run", "geodesic482.yaml", "--mesh", program("short.s")},
+     2,
+     {"--mesh", "short.s"}},
+    {"FramesWithoutScene",
+     {"run", kRing, "--frames", "2"},
+     2,
+     {"more than one frame without a scene"}},
+    {"Source", run_ring("wrong.s"), 2, {"wrong.s:2:", "wrong.s:3:9: 'bogus' is no instruction"}},
+    {"EndlessLoop",
+     run_ring("endless.s", {"--max-time", "1ms"}),
+     3,
+     {"has not finished after 1ms", "--max-time"}},
+    {"EndlessBareLoop",
+     {"run", "bare-pdp11.yaml", "--max-time", "1ms", "--set",
+      "nodes.program=" + program("endless.s")},
+     3,
+     {"has not finished after 1ms"}},
+    {"RunsOffItsMemory",
+     run_ring("runaway.s"),
+     3,
+     {"guest error", "node/R0", "cycle 5", "ran off its memory", "pc=160000"}},
+    {"PortThatIsNotThere",
+     run_ring("no_port.s"),
+     3,
+     {"port 15, which has no link", "at 001010", "no_port.s:5", "r3=001000"}},
+    {"OddAddress", run_ring("odd_address.s"), 3, {"odd address 001001", "odd_address.s:4"}},
+    {"Fault", run_ring("fault.s"), 3, {"FAULT 000042", "fault.s:3"}},
+    {"Deadlock",
+     run_ring("deadlock.s"),
+     3,
+     {"deadlock", "node/R15 waits for WAITFOR", "supervisor waits for", "16 of work outstanding"}},
+    {"LongDeadlock",
+     run_ring("deadlock.s", {"--set", "topology.nodes=100"}),
+     3,
+     {"101 components wait", "  and 78 more\n"}},
+    {"AssembledFile", {"assemble", "nowhere.s"}, 2, {"nowhere.s"}},
+    {"AssemblyErrors",
+     {"assemble", program("wrong.s"), "-o", "x.bin"},
+     2,
+     {"undefined symbol 'r9'", "'bogus'"}},
+    {"Listing",
+     {"assemble", program("short.s"), "--listing", "--cost", "parsk"},
+     2,
+     {"--cost", "parsk"}},
+    {"NodeName",
+     {"describe", "geodesic482.yaml", "--node", "P31-124"},
+     2,
+     {"no such node 'P31-124'", "did you mean"}},
+    {"Kind", {"list", "machines"}, 2, {"A subcommand is required"}},
+};
+
+class BadInputs : public CommandLine, public testing::WithParamInterface<BadInput> {};
+
+TEST_P(BadInputs, EndWithOneMessageTheirStatusAndNoOutput) {
+    const Finished finished = rasterloom(GetParam().arguments);
+    EXPECT_EQ(finished.status, GetParam().status) << finished.err;
+    for (const std::string& part : GetParam().said) {
+        EXPECT_THAT(finished.err, HasSubstr(part));
+    }
+    EXPECT_THAT(finished.out, IsEmpty());
+    EXPECT_THAT(files(), IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, BadInputs, testing::ValuesIn(kBadInputs),
+                         [](const auto& info) { return info.param.name; });
+
+class FailedRun : public CommandLine {};
+
+TEST_F(FailedRun, KeepsWhatAnEarlierOneWrote) {
+    ASSERT_EQ(rasterloom({"run", kRing, "--out", "here"}).status, 0);
+    const auto before = files();
+    const std::string statistics = read_text(folder_ / "work/here/statistics.json");
+    EXPECT_EQ(
+        rasterloom({"run", kRing, "--out", "here", "--set", "nodes.program=" + program("fault.s")})
+            .status,
+        3);
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(read_text(folder_ / "work/here/statistics.json"), statistics);
+}
+
+TEST_F(FailedRun, DoesNotTakeAFileForAFolder) {
+    std::ofstream(folder_ / "work/out.txt") << "mine";
+    const Finished finished = rasterloom({"run", kRing, "--out", "out.txt"});
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_THAT(finished.err, HasSubstr("is a file; expected a folder"));
+    EXPECT_EQ(read_text(folder_ / "work/out.txt"), "mine");
+}
+
+}  // namespace
+}  // namespace rasterloom::cli

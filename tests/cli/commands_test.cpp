@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The subcommands, used as they should be.
+#include "tests/cli/command_line.hpp"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rasterloom::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::StartsWith;
+
+class Commands : public CommandLine {};
+
+TEST_F(Commands, HelpNamesTheSubcommandsAndExitStatuses) {
+    const Finished help = rasterloom({"--help"});
+    EXPECT_EQ(help.status, 0);
+    for (const char* word :
+         {"run", "describe", "assemble", "list", "Exit status", "configs/geodesic482.yaml"}) {
+        EXPECT_THAT(help.out, HasSubstr(word));
+    }
+    EXPECT_THAT(rasterloom({"run", "--help"}).out, HasSubstr("--max-time"));
+    EXPECT_THAT(rasterloom({"--version"}).out, StartsWith("rasterloom "));
+}
+
+TEST_F(Commands, RunWritesFilesAndASummaryAndNothingElse) {
+    const Finished run = rasterloom({"run", "ring.yaml"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.err, IsEmpty());  // no progress bar in a pipe
+    EXPECT_THAT(run.out, HasSubstr("ring16: 16 nodes, 32 links"));
+    EXPECT_THAT(run.out, HasSubstr("160 hops, 640 bytes"));
+    EXPECT_THAT(files(),
+                ElementsAre("out", "out/ring", "out/ring/links.csv", "out/ring/messages.csv",
+                            "out/ring/nodes.csv", "out/ring/statistics.json"));
+}
+
+TEST_F(Commands, RunIsTheSameEveryTime) {
+    ASSERT_EQ(rasterloom({"run", "edge-list.yaml", "--out", "a", "--quiet"}).status, 0);
+    ASSERT_EQ(rasterloom({"run", "edge-list.yaml", "--out", "b", "--quiet"}).status, 0);
+    for (const char* name : {"links.csv", "messages.csv", "nodes.csv", "statistics.json"}) {
+        EXPECT_EQ(read_text(folder_ / "work/a" / name), read_text(folder_ / "work/b" / name))
+            << name;
+    }
+}
+
+TEST_F(Commands, RunQuietlySaysNothing) {
+    const Finished run = rasterloom({"run", "ring.yaml", "--quiet", "--no-files"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.out + run.err, IsEmpty());
+    EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Commands, ABareProcessorRunsWhatTheAssemblerWrote) {
+    const Finished assembled = rasterloom({"assemble", program("short.s"), "-o", "x.bin"});
+    EXPECT_EQ(assembled.status, 0);
+    EXPECT_THAT(assembled.out, HasSubstr("8 bytes, load address 0o1000, entry 0o1000"));
+    const Finished run =
+        rasterloom({"run", "bare-pdp11.yaml", "--set", "nodes.program=x.bin", "--no-files"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Instructions    3 in 4 cycles"));
+    EXPECT_THAT(run.out, HasSubstr("million instructions/s"));
+}
+
+TEST_F(Commands, AssembleListsAddressesWordsAndCycles) {
+    const Finished listing =
+        rasterloom({"assemble", program("short.s"), "--listing", "--cost", "parks"});
+    EXPECT_EQ(listing.status, 0);
+    EXPECT_THAT(listing.out, HasSubstr("001000"));
+    EXPECT_THAT(listing.out, HasSubstr("012700 000005"));
+}
+
+TEST_F(Commands, DescribeMeasuresTheGraph) {
+    const Finished described = rasterloom({"describe", "geodesic482.yaml"});
+    EXPECT_EQ(described.status, 0) << described.err;
+    EXPECT_THAT(described.out, HasSubstr("482: 12 of degree 5, 470 of degree 6"));
+    EXPECT_THAT(described.out, HasSubstr("1440"));
+    EXPECT_THAT(described.out, HasSubstr("diameter 20, radius 18"));
+    EXPECT_THAT(described.out, HasSubstr("Planar      yes"));
+    const Finished node = rasterloom({"describe", "geodesic482.yaml", "--node", "P31-123"});
+    EXPECT_THAT(node.out, HasSubstr("phi 30.729, theta 122.589"));
+    for (const char* neighbour :
+         {"P28-114", "P41-123", "P36-117", "P20-120", "P24-129", "P36-131"}) {
+        EXPECT_THAT(node.out, HasSubstr(neighbour));
+    }
+}
+
+TEST_F(Commands, DescribeWritesADrawingAndTables) {
+    EXPECT_EQ(rasterloom({"describe", "ring.yaml", "--svg", "ring.svg", "--csv", "tables"}).status,
+              0);
+    EXPECT_THAT(files(), ElementsAre("ring.svg", "tables", "tables/links.csv", "tables/nodes.csv"));
+    EXPECT_THAT(read_text(folder_ / "work/ring.svg"), HasSubstr("<svg"));
+}
+
+TEST_F(Commands, TheConfigurationInEffectRunsToTheSameEnd) {
+    const Finished exported =
+        rasterloom({"describe", "edge-list.yaml", "--config", "--set", "links.time_per_byte=3us"});
+    EXPECT_EQ(exported.status, 0);
+    std::ofstream(folder_ / "work/mine.yaml") << exported.out;
+    ASSERT_EQ(rasterloom({"run", "mine.yaml", "--quiet", "--out", "a"}).status, 0);
+    ASSERT_EQ(rasterloom({"run", "edge-list.yaml", "--set", "links.time_per_byte=3us", "--quiet",
+                          "--out", "b"})
+                  .status,
+              0);
+    EXPECT_EQ(read_text(folder_ / "work/a/statistics.json"),
+              read_text(folder_ / "work/b/statistics.json"));
+    EXPECT_EQ(read_text(folder_ / "work/a/messages.csv"),
+              read_text(folder_ / "work/b/messages.csv"));
+}
+
+TEST_F(Commands, ListsEverythingThatConfigurationsName) {
+    EXPECT_THAT(rasterloom({"list", "isas"}).out, HasSubstr("cost model parks"));
+    EXPECT_THAT(rasterloom({"list", "topologies"}).out, HasSubstr("geodesic"));
+    EXPECT_THAT(rasterloom({"list", "programs"}).out, HasSubstr("pdp11/strothotte.s"));
+    const std::string scenes = rasterloom({"list", "scenes"}).out;
+    EXPECT_THAT(scenes, HasSubstr("teapot"));
+    EXPECT_THAT(scenes, HasSubstr("scenes/cube.yaml"));
+}
+
+TEST_F(Commands, DrawASequenceOfFramesLikeTheReference) {
+    const Finished run = rasterloom(
+        {"run", "geodesic482.yaml", "--set", "topology.b=2", "--set", "topology.c=1", "--set",
+         "scene.object=cube", "--set", "screen={width: 64, height: 64}", "--set",
+         "scene.rotate.degrees=30", "--frames", "2", "--out", "o", "--compare"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(files(), IsSupersetOf({"o/frame-000.png", "o/frame-001.png", "o/frames.png",
+                                       "o/reference-001.png", "o/statistics.json"}));
+    EXPECT_THAT(run.out, HasSubstr("Frame 1"));
+    EXPECT_THAT(run.out, HasSubstr("levels of the reference"));
+}
+
+}  // namespace
+}  // namespace rasterloom::cli

@@ -1,0 +1,4 @@
+; Loops for ever.
+        . = 1000
+start:  br      start
+        .end    start

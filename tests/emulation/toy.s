@@ -1,0 +1,4 @@
+; Stops at once: a program for the plug-in instruction set.
+start:  nop
+        hlt
+        .end    start
