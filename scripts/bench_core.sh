@@ -16,11 +16,11 @@ seconds() {
     awk '{print $1 + $2}' "$work/time"
 }
 
-# The image's words as SIMH's deposits; it starts at 0.
+# The image's words as deposits: it stands at 01000 (configs/bare-pdp11.yaml).
 simh_script() {
     echo "set cpu 11/40"
     echo "set cpu 64k"
-    od -An -v -w2 -to2 "$1" | awk '$1 != "000000" {printf "dep %o %s\n", 2 * (NR - 1), $1}'
+    od -An -v -w2 -to2 "$1" | awk '$1 != "000000" {printf "dep %o %s\n", 512 + 2 * (NR - 1), $1}'
     echo "run 1000"
     echo "quit"
 }

@@ -1,5 +1,5 @@
 ; Operands in memory, in the addressing modes that programs use: pointers that advance, fields of a record, variables.
-TURNS = 3000.
+TURNS = 20000.
 LENGTH = 1000.
         . = 1000
 start:  mov     #TURNS, r5
