@@ -21,11 +21,16 @@ constexpr std::uint32_t kTriangleMessage = 40;
 constexpr std::uint32_t kPointsHeader = 8;
 constexpr std::uint32_t kPointBytes = 8;
 constexpr std::uint32_t kFewestBlocks = 48;  // in which the program can work
+constexpr std::uint32_t kGroupBytes = 16;    // in which pixels are cleared
 constexpr std::uint32_t kTriangleGreatCircle = 40;
 constexpr std::uint32_t kTriangleSmallCircle = 34;
 
 std::uint32_t even(std::uint32_t bytes) {
     return bytes + bytes % 2;
+}
+
+std::uint32_t groups(std::uint32_t bytes) {
+    return (bytes + kGroupBytes - 1) / kGroupBytes;
 }
 
 }  // namespace
@@ -160,16 +165,16 @@ void StrothotteLoader::add_screen(NodeMemory& memory, topology::NodeIndex n) con
     constexpr std::uint32_t kRowBytes = 16;
     const std::uint32_t table = memory.here();
     std::uint32_t depth = table + static_cast<std::uint32_t>(rows) * kRowBytes;
-    std::uint32_t grey = depth + 2 * pixels;
+    std::uint32_t grey = depth + groups(2 * pixels) * kGroupBytes;
     memory.set("row_table", table);
     memory.set("row_count", rows);
     memory.set("top_row", top);
     memory.set("path_up", node.up);
     memory.set("path_down", node.segments.empty() ? node.home : node.segments.back().down);
     memory.set("depth_start", depth);
-    memory.set("depth_words", pixels);
+    memory.set("depth_groups", groups(2 * pixels));
     memory.set("grey_start", grey);
-    memory.set("grey_words", (pixels + 1) / 2);
+    memory.set("grey_groups", groups(pixels));
     topology::Path down = topology::kEmptyPath;
     std::size_t next = 0;
     for (int y = top; y < top + rows; ++y) {
@@ -190,7 +195,7 @@ void StrothotteLoader::add_screen(NodeMemory& memory, topology::NodeIndex n) con
             ++next;
         }
     }
-    memory.skip(2 * pixels + even(pixels));
+    memory.skip((groups(2 * pixels) + groups(pixels)) * kGroupBytes);
 }
 
 // The node's facet in a block of its own, then the message pool.
@@ -209,8 +214,9 @@ void StrothotteLoader::add_pool(NodeMemory& memory, topology::NodeIndex node) co
         memory.skip(block_size_ - kLinkBytes - static_cast<std::uint32_t>(facet.size()));
     }
     memory.set("block_size", block_size_);
-    const std::uint32_t blocks =
-        memory.here() < machine_.memory_bytes ? (machine_.memory_bytes - memory.here()) / block_size_ : 0;
+    const std::uint32_t blocks = memory.here() < machine_.memory_bytes
+                                     ? (machine_.memory_bytes - memory.here()) / block_size_
+                                     : 0;
     memory.set("free_count", blocks);
     memory.set("pool_next", memory.here() + kLinkBytes);
     memory.set("pool_last", memory.here() + kLinkBytes + (blocks - 1) * block_size_);

@@ -20,7 +20,7 @@ constexpr double kUnit = 16384;       // 1 in s1.14
 constexpr double kMostLength = 1.99;  // that s1.14 holds, with room for rounding
 constexpr double kMostOnScreen =
     1.95;                            // half-widths of 256 pixels: differences of places fit a word
-constexpr double kMostDepth = 1.95;         // in s2.13: differences fit a word
+constexpr double kMostDepth = 1.95;  // in s2.13: differences fit a word
 constexpr double kMostWord = 32000;  // with room for rounding
 constexpr double kFarthestPoint = 1e6;  // a vanishing point beyond is as good as none
 constexpr double kFullScreen = 256;     // pixels of the program's unit screen

@@ -26,10 +26,11 @@ struct Vertex {
 };
 using Triangle = std::array<Vertex, 3>;
 
-// A processor that owns all pixels.
+// A processor that owns the columns from `first` to `last` of every row. What lies left of them
+// goes through port 0, right of them through port 1.
 class Screen {
   public:
-    Screen() : node_({}) {
+    explicit Screen(int first = 0, int last = kSide - 1) : node_({}) {
         node_.set_word("screen_width", kSide);
         node_.set_word("screen_height", kSide);
         node_.set_word("last_column", kSide - 1);
@@ -37,16 +38,21 @@ class Screen {
         node_.set_word("row_table", kRows);
         node_.set_word("row_count", kSide);
         node_.set_word("depth_start", kDepths);
-        node_.set_word("depth_words", kSide * kSide);
+        node_.set_word("depth_groups", kSide * kSide / 8);
         node_.set_word("grey_start", kGreys);
-        node_.set_word("grey_words", kSide * kSide / 2);
+        node_.set_word("grey_groups", kSide * kSide / 16);
         node_.set_word("block_size", 44);
         node_.set_word("pool_next", kPool);
         node_.set_word("pool_last", kPool + 20 * 44);
         node_.set_word("free_count", 21);
         for (int y = 0; y < kSide; ++y) {
-            const std::array<int, 7> row{
-                0, kSide - 1, kSide, kDepths + 2 * kSide * y, kGreys + kSide * y, -1, -1};
+            const std::array<int, 7> row{first,
+                                         last,
+                                         last - first + 1,
+                                         kDepths + 2 * (kSide * y + first),
+                                         kGreys + kSide * y + first,
+                                         0177770,
+                                         0177771};
             for (int i = 0; i < 7; ++i) {
                 node_.set_word(static_cast<std::uint32_t>(kRows + 16 * y + 2 * i),
                                row[static_cast<std::size_t>(i)]);
@@ -72,11 +78,20 @@ class Screen {
         node_.call("begin_triangle");
         EXPECT_EQ(node_.word("scanning"), 0);
         EXPECT_EQ(node_.word("free_count"), blocks + 1) << "blocks lost or won";
-        EXPECT_EQ(node_.credit(), 0);
+        EXPECT_EQ(node_.credit(), static_cast<int>(node_.sent().size()));
         // The triangle's own block is not the pool's: take it out again.
         node_.set_word("free_list", node_.word(message - 4));
         node_.set_word("free_count", blocks);
     }
+
+    // Takes in a SPAN message that another processor sent.
+    void take(const BareNode::Sent& sent) {
+        ASSERT_EQ(sent.bytes.at(0), BareNode::symbol("kind_span"));
+        const BareNode::Registers block = node_.call("get_block");
+        node_.set_bytes(block[5], sent.bytes);
+        node_.call("span_in", block);
+    }
+    const std::vector<BareNode::Sent>& sent() const { return node_.sent(); }
 
     bool covered(int x, int y) const { return depth(x, y) != 077777; }
     int depth(int x, int y) const {
@@ -266,6 +281,42 @@ TEST(StrothotteScan, NeverWrapsAnIntensityInSteepTriangles) {
         expect_triangle(screen, t);
         ASSERT_FALSE(testing::Test::HasFatalFailure()) << "round " << round;
     }
+}
+
+TEST(StrothotteScan, HandsOverPartsOfScanlinesAsIfOneProcessorHadDrawnThem) {
+    Screen whole;
+    Triangles make(20);
+    for (int round = 0; round < 150; ++round) {
+        const Triangle t = make.triangle();
+        whole.clear();
+        whole.draw(t);
+        Screen left(0, 22);
+        Screen middle(23, 37);
+        Screen right(38, kSide - 1);
+        middle.draw(t);
+        for (const BareNode::Sent& sent : middle.sent()) {
+            (sent.port == 0 ? left : right).take(sent);
+        }
+        ASSERT_TRUE(left.sent().empty() && right.sent().empty());
+        for (int p = 0; p < kSide * kSide; ++p) {
+            const int x = p % kSide;
+            const int y = p / kSide;
+            const Screen& owner = x <= 22 ? left : x <= 37 ? middle : right;
+            ASSERT_EQ(owner.depth(x, y), whole.depth(x, y)) << x << ", " << y;
+            ASSERT_EQ(owner.grey(x, y), whole.grey(x, y)) << x << ", " << y;
+        }
+    }
+}
+
+TEST(StrothotteScan, KeepsTheFirstOfTwoTrianglesAtOneDepth) {
+    Screen screen;
+    const auto flat = [](int grey) {
+        return Triangle{Vertex{0, 0, 700, grey * 128}, Vertex{4096, 0, 700, grey * 128},
+                        Vertex{0, 4096, 700, grey * 128}};
+    };
+    screen.draw(flat(40));
+    screen.draw(flat(90));
+    EXPECT_EQ(screen.grey(5, 5), 40);
 }
 
 TEST(StrothotteScan, KeepsTheNearerOfTwoTrianglesInEitherOrder) {

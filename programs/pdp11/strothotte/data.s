@@ -26,10 +26,10 @@ column_angle:   .word   0               ; longitude of a pixel's width
 half_column_angle: .word 0
 row_angle:      .word   0               ; colatitude of a pixel's height
 half_row_angle: .word   0
-depth_start:    .word   0               ; this processor's depths
-depth_words:    .word   0
+depth_start:    .word   0               ; this processor's depths, a word each,
+depth_groups:   .word   0               ; in groups of eight words
 grey_start:     .word   0               ; and grey levels, a byte each
-grey_words:     .word   0
+grey_groups:    .word   0
 background:     .word   0               ; grey level in both bytes
 row_table:      .word   0               ; its rows (w_), from top_row down
 row_count:      .word   0

@@ -64,18 +64,18 @@ facet_direction:
         mov     r0, f_y(r5)
         return
 
-; Depth to farthest, grey to the background.
+; Depth to farthest, grey to the background, eight words at a time. Clobbers r0, r1, r2.
 clear_pixels:
         mov     depth_start, r0
-        mov     depth_words, r1
+        mov     depth_groups, r1
         beq     2$
         mov     #77777, r2
-1$:     mov     r2, (r0)+
-        sob     r1, 1$
-2$:     mov     grey_start, r0
-        mov     grey_words, r1
-        beq     4$
+        call    1$                      ; the depths, then on to the grey levels
+        mov     grey_start, r0
+        mov     grey_groups, r1
         mov     background, r2
-3$:     mov     r2, (r0)+
-        sob     r1, 3$
-4$:     return
+1$:     .rept   8.
+        mov     r2, (r0)+
+        .endr
+        sob     r1, 1$
+2$:     return
