@@ -107,17 +107,33 @@ TEST(StrothotteFrame, DrawsOnAnOddScreenWithTheSmallestQueues) {
     expect_same_pictures(object, scene, run_strothotte(object, scene, options), 1);
 }
 
-TEST(StrothotteFrame, KeepsUpWhenAFewProcessorsOwnTheWholePicture) {
+TEST(StrothotteFrame, KeepsUpWhenAFewProcessorsOwnTheWholePictureWithLittleMemory) {
     StrothotteScene scene;
     scene.view.scale = 0.12;
     scene.view.translate = {0.3, -0.2, 0};
     const SampledObject object = sample_object(8, 8, "sphere", scene.view);
-    const StrothotteRun run = run_strothotte(object, scene);
+    StrothotteOptions options;
+    options.memory_bytes = 10500;  // some 50 message blocks: triangles are drawn before their phase
+    options.output_queue = 1;
+    options.input_queue = 1;
+    const StrothotteRun run = run_strothotte(object, scene, options);
     ASSERT_EQ(run.failure, "");
     const auto difference =
         host::compare(run.pictures.at(0), reference_picture(object, scene.view, 0));
     EXPECT_GE(difference.covered.share_within(2), 0.97);  // a small picture has more edge
     EXPECT_GE(difference.all.share_within(2), kEnough);
+}
+
+TEST(StrothotteFrame, GetsThroughTheJamAtThePolesWithLittleMemory) {
+    StrothotteScene scene;
+    scene.first_degrees = 180;
+    scene.great_circle = true;
+    const SampledObject object = sample_object(4, 4, "sphere", scene.view);
+    StrothotteOptions options;
+    options.memory_bytes = 15000;
+    options.output_queue = 1;
+    options.input_queue = 1;
+    expect_same_pictures(object, scene, run_strothotte(object, scene, options), 1);
 }
 
 TEST(StrothotteFrame, FitsItsMemoryFromTheSmallestMachineToTheLargest) {

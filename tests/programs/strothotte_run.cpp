@@ -73,7 +73,8 @@ StrothotteRun run_strothotte(const SampledObject& object, const StrothotteScene&
     const isa::Isa& isa = isa::pdp11::pdp11_isa();
     const isa::Image& image = strothotte_image();
     const auto program = isa.prepare(image, isa::CostChoice{"strothotte", {}});
-    const StrothotteLoader loader(image, {object.topology, object.screen, object.facets}, scene);
+    const StrothotteLoader loader(
+        image, {object.topology, object.screen, object.facets, 256, options.memory_bytes}, scene);
     const auto shared_image = std::make_shared<isa::Image>(image);
     StrothotteRun run;
     FrameKeeper keeper(object, scene.view, run);

@@ -39,6 +39,7 @@ struct StrothotteOptions {
     int frames = 1;
     int output_queue = 2;
     int input_queue = 4;
+    std::uint32_t memory_bytes = 57344;  // of a node: what the tables leave is its message pool
 };
 
 // The assembled program. Throws isa::AssemblyError.
