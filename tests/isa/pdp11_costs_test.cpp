@@ -3,8 +3,9 @@
 #include "tests/isa/pdp11_machine.hpp"
 
 #include <fstream>
-#include <regex>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -28,13 +29,20 @@ InstructionCost cost_of(const std::string& text, const CostChoice& choice = {}) 
     return cost.value_or(InstructionCost{});
 }
 
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+    }
+}
+
 // A form of the table as an instruction: R becomes a register, X an index, # a number.
 std::string instruction_of(std::string form) {
-    form = std::regex_replace(form, std::regex("any"), "(R)+");
-    form = std::regex_replace(form, std::regex("\\bR\\b"), "r3");
-    form = std::regex_replace(form, std::regex("\\bX\\b"), "6");
-    form = std::regex_replace(form, std::regex("#"), "#6");
-    return std::regex_replace(form, std::regex("near"), ".+4");
+    replace_all(form, "any", "(R)+");
+    replace_all(form, "R", "r3");
+    replace_all(form, "X", "6");
+    replace_all(form, "#", "#6");
+    replace_all(form, "near", ".+4");
+    return form;
 }
 
 struct Row {
@@ -45,14 +53,20 @@ struct Row {
 
 std::vector<Row> parks_rows() {
     std::ifstream file(std::string(RASTERLOOM_SOURCE_DIR) + "/tests/isa/parks-costs.csv");
-    const std::regex pattern("\"([^\"]+)\",(\\d+),(\\d+)");
     std::vector<Row> rows;
     std::string line;
+    // "form",fetch,data
     while (std::getline(file, line)) {
-        std::smatch match;
-        if (std::regex_match(line, match, pattern)) {
-            rows.push_back({match[1], std::stoll(match[2]), std::stoll(match[3])});
+        const auto quote = line.rfind('"');
+        if (!line.starts_with('"')) {
+            continue;
         }
+        std::istringstream numbers(line.substr(quote + 2));
+        Row row;
+        row.form = line.substr(1, quote - 1);
+        char comma = 0;
+        numbers >> row.fetch >> comma >> row.data;
+        rows.push_back(row);
     }
     return rows;
 }
