@@ -1,0 +1,232 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Measures what docs/results.md reports about the geodesic machine and prints it as Markdown tables.
+
+    scripts/results.py graph | rounds | frame | pictures | speed | scaling | all
+        [--rasterloom build/release/rasterloom] [--models ../shared/models] [--plots DIR]
+
+Each table runs `rasterloom` on the shipped configurations; nothing is computed here but ratios. Models that are
+not there are left out, and the table says so.
+"""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MODELS = ["beethoven.ply", "bunny.obj", "shuttle.obj"]
+
+
+class Emulator:
+    """The command, run from the project's root."""
+
+    def __init__(self, binary):
+        self.binary = Path(binary)
+        if not self.binary.is_absolute():
+            self.binary = ROOT / self.binary
+        if not self.binary.exists():
+            sys.exit(f"results.py: {self.binary} is not there: build it with scripts/demo.sh")
+
+    def text(self, *arguments):
+        done = subprocess.run([self.binary, *arguments], cwd=ROOT, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"results.py: rasterloom {' '.join(arguments)} failed:\n{done.stderr}")
+        return done.stdout
+
+    def run(self, config, *arguments):
+        """One run: its statistics and its printed summary."""
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            summary = self.text("run", f"configs/{config}.yaml", "--out", str(out), *arguments)
+            return json.loads((out / "statistics.json").read_text()), summary
+
+
+def setting(**values):
+    return [part for name, value in values.items() for part in ("--set", f"{name.replace('__', '.')}={value}")]
+
+
+def table(head, rows):
+    print("| " + " | ".join(head) + " |")
+    print("|" + "---|" * len(head))
+    for row in rows:
+        print("| " + " | ".join(str(cell) for cell in row) + " |")
+    print()
+
+
+def phase(statistics, name, frame=None):
+    found = [p for p in statistics["phases"] if p["name"] == name and frame in (None, p["frame"])]
+    return found[-1]
+
+
+def graph(emulator, _arguments):
+    print(emulator.text("describe", "configs/geodesic482.yaml"))
+    for b, c in [(1, 0), (1, 1), (2, 1), (3, 2), (5, 0), (8, 8), (20, 20)]:
+        print(emulator.text("describe", "configs/geodesic482.yaml", *setting(topology__b=b, topology__c=c)))
+
+
+PUBLISHED_ROTATIONS = {6: (1, 2), 30: (3, 5), 180: (20, 26)}
+
+
+def rounds(emulator, arguments):
+    curves = {}
+    rows = []
+    for routing in ("small_circle", "great_circle"):
+        for degrees, (longest, published) in PUBLISHED_ROTATIONS.items():
+            statistics, _ = emulator.run(
+                "geodesic482-rounds",
+                *setting(scene__object="sphere", scene__routing=routing, scene__rotate__degrees=degrees))
+            rotate = phase(statistics, "rotate")
+            synchronous = rotate["synchronous"]
+            curves[f"sphere, {degrees} degrees, {routing}"] = synchronous["utilisation"]
+            small = routing == "small_circle"
+            rows.append([f"rotation by {degrees} degrees", routing, rotate["longest_route_hops"],
+                         longest if small else "-", synchronous["rounds"], published if small else "-",
+                         shares(synchronous["utilisation"])])
+        for name, longest, published in (("sphere", 9, 10), ("cube", 3, 5)):
+            statistics, _ = emulator.run("geodesic482-rounds",
+                                         *setting(scene__object=name, scene__routing=routing, scene__rotate__degrees=0))
+            transfer = phase(statistics, "transfer")
+            synchronous = transfer["synchronous"]
+            curves[f"draw {name}, {routing}"] = synchronous["utilisation"]
+            small = routing == "small_circle"
+            rows.append([f"draw the {name}", routing, transfer["longest_route_hops"], longest if small else "-",
+                         synchronous["rounds"], published if small else "-", shares(synchronous["utilisation"])])
+    table(["what", "routing", "longest route", "published", "rounds", "published", "processors that send, % a round"], rows)
+    if arguments.plots:
+        plot(curves, Path(arguments.plots))
+
+
+def shares(utilisation):
+    shown = [f"{100 * share:.0f}" for share in utilisation]
+    return " ".join(shown if len(shown) <= 12 else shown[:8] + ["...", *shown[-3:]]) + (
+        f" ({len(shown)} rounds)" if len(shown) > 12 else "")
+
+
+def plot(curves, folder):
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    folder.mkdir(parents=True, exist_ok=True)
+    for routing in ("small_circle", "great_circle"):
+        figure, axes = pyplot.subplots(figsize=(7, 4))
+        for label, utilisation in curves.items():
+            if label.endswith(routing):
+                axes.plot(range(1, len(utilisation) + 1), [100 * u for u in utilisation], label=label.split(", " + routing)[0])
+        axes.set_xlabel("round")
+        axes.set_ylabel("processors that send, %")
+        axes.set_title(f"Utilisation a round, {routing.replace('_', '-')} routing (compare Strothotte 1981, figures 18, 20-23)")
+        axes.title.set_fontsize(9)
+        axes.legend(fontsize=8)
+        axes.grid(alpha=0.3)
+        figure.savefig(folder / f"rounds-{routing}.png", dpi=110, bbox_inches="tight")
+
+
+# Strothotte 1981, 5.3.5: p = 482, m = 1, two crossings, 6 degrees, half of the screen, 500 triangles.
+THESIS_FRAME = {"rotate": 66, "points": 1096, "assemble": "in Ci", "transfer": 800, "draw": 3680}
+
+
+def frame(emulator, _arguments):
+    rows = []
+    for name in ("sphere", "teapot"):
+        for move in (0, 1):
+            for u in ("1us", "5us"):
+                statistics, _ = emulator.run(
+                    "geodesic482", "--frames", "2",
+                    *setting(scene__object=name, scene__rotate__degrees=6, nodes__clock=u, links__time_per_byte=u,
+                             supervisor__latency=u, nodes__cost__move=move, nodes__cost__branch=move))
+                second = statistics["frames"][-1]
+                phases = [phase(statistics, part, frame=1)["duration_u"] for part in THESIS_FRAME]
+                rows.append([name, u, move, *phases, second["duration_u"], f"{1e12 / second['duration_ps']:.2f}"])
+    rows.append(["thesis' estimate", "5us", 0, *THESIS_FRAME.values(), 5642, f"{1e6 / (5642 * 5):.1f}"])
+    table(["object", "u", "move, branch", *(f"{part} (u)" for part in THESIS_FRAME), "frame (u)", "frames/s"], rows)
+
+
+def pictures(emulator, arguments):
+    scenes = [(name, setting(scene__object=name)) for name in ("sphere", "cube", "teapot")]
+    for model in MODELS:
+        path = Path(arguments.models) / model
+        if (ROOT / path).exists():
+            scenes.append((model, ["--mesh", str(path)]))
+        else:
+            print(f"({model} is not in {arguments.models}: left out)\n")
+    rows = []
+    for name, choice in scenes:
+        for b, c in ((4, 4), (8, 8)):
+            for degrees, frames in ((0, 1), (6, 3)):
+                _, summary = emulator.run("geodesic482", "--compare", "--frames", str(frames), *choice,
+                                          *setting(topology__b=b, topology__c=c, scene__rotate__degrees=degrees))
+                rows.append([name, f"({b}, {c})", degrees * frames, compared(summary)])
+    table(["object", "(b, c)", "turned by, degrees", "pixels within 2 grey levels of the reference, last frame"], rows)
+
+
+def compared(summary):
+    lines = [line for line in summary.splitlines() if "within 2" in line]
+    return re.sub(r"\s+", " ", lines[-1].strip()) if lines else "not printed"
+
+
+def emulated_in(summary):
+    line = next(line for line in summary.splitlines() if line.startswith("Emulated in"))
+    return re.sub(r"\s+", " ", line.removeprefix("Emulated in").strip())
+
+
+def speed(emulator, _arguments):
+    rows = []
+    for frames in (1, 10):
+        best = None
+        for _ in range(3):
+            statistics, summary = emulator.run("geodesic482", "--frames", str(frames))
+            line = emulated_in(summary)
+            factor = float(line.rsplit(" ", 1)[1])
+            if best is None or factor > best[0]:
+                best = (factor, statistics, line)
+        rows.append([frames, best[1]["instructions"], best[1]["messages"], best[1]["events"], best[2]])
+    table(["teapot frames", "instructions", "hops", "events", "best of three"], rows)
+
+
+def scaling(emulator, _arguments):
+    rows = []
+    for b, c in ((4, 4), (6, 6), (8, 8), (12, 12), (16, 16), (20, 20)):
+        command = ["/usr/bin/env", "bash", "-c", 'ulimit -v unlimited; exec "$@"', "run", str(emulator.binary), "run",
+                   "configs/geodesic482.yaml", *setting(topology__b=b, topology__c=c)]
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            import resource
+            import time
+            start = time.monotonic()
+            child = subprocess.Popen([*command, "--out", str(out)], cwd=ROOT, stdout=subprocess.PIPE, text=True)
+            summary = child.stdout.read()
+            _, status, usage = __import__("os").wait4(child.pid, 0)
+            if status:
+                sys.exit(f"results.py: ({b}, {c}) failed")
+            wall = time.monotonic() - start
+            statistics = json.loads((out / "statistics.json").read_text())
+        nodes = statistics["nodes"]
+        rows.append([f"({b}, {c})", nodes, statistics["instructions"], statistics["messages"],
+                     statistics["frames"][0]["duration_u"], f"{wall:.2f}", f"{usage.ru_maxrss / 1024:.0f}",
+                     f"{1e9 * wall / statistics['instructions']:.1f}", f"{usage.ru_maxrss / nodes:.0f}"])
+    table(["(b, c)", "nodes", "instructions", "hops", "frame (u)", "wall (s)", "memory (MiB)", "wall ns an instruction",
+           "KiB a node"], rows)
+
+
+TABLES = {"graph": graph, "rounds": rounds, "frame": frame, "pictures": pictures, "speed": speed, "scaling": scaling}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("table", choices=[*TABLES, "all"])
+    parser.add_argument("--rasterloom", default="build/release/rasterloom")
+    parser.add_argument("--models", default="../shared/models")
+    parser.add_argument("--plots", help="folder for plots of the rounds")
+    arguments = parser.parse_args()
+    emulator = Emulator(arguments.rasterloom)
+    for name in TABLES if arguments.table == "all" else [arguments.table]:
+        print(f"## {name}\n")
+        TABLES[name](emulator, arguments)
+
+
+if __name__ == "__main__":
+    main()
