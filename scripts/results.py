@@ -77,7 +77,7 @@ def rounds(emulator, arguments):
     for routing in ("small_circle", "great_circle"):
         for degrees, (longest, published) in PUBLISHED_ROTATIONS.items():
             statistics, _ = emulator.run(
-                "geodesic482-rounds",
+                "geodesic482-rounds", "--frames", "2",
                 *setting(scene__object="sphere", scene__routing=routing, scene__rotate__degrees=degrees))
             rotate = phase(statistics, "rotate")
             synchronous = rotate["synchronous"]

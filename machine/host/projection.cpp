@@ -91,7 +91,7 @@ std::vector<ScreenTriangle> project(const FacetModel& model, const topology::Top
         for (const auto& crossing : model.crossings[facet])
             corners[facet].push_back({project_point(crossing.radius * glm::dvec3{d.x, d.y, d.z},
                                                     crossing.normal, rotation, view),
-                                      (rotation * crossing.normal).x > 0});
+                                      (rotation * crossing.normal).x > kEdgeOn});
     }
     std::vector<ScreenTriangle> triangles;
     for (const auto& [a, b, c] : model.triangles) {

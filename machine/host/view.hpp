@@ -17,6 +17,11 @@
 
 namespace rasterloom::host {
 
+// A surface is a back surface when the cosine between its normal and the direction away from the viewer is above this: an
+// edge-on surface counts as one, whichever way the rounding falls, or the hidden sides of an unrotated cube would all be
+// drawn (Strothotte 1981, 5.1.3, whose cube sends no message from its sides).
+inline constexpr double kEdgeOn = -1.0 / 512;
+
 struct View {
     int width = 256;
     int height = 256;

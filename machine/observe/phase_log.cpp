@@ -27,7 +27,7 @@ RoundsReport PhaseLog::count_rounds(Time began) {
     std::sort(once.begin(), once.end());
     once.erase(std::unique(once.begin(), once.end()), once.end());
     RoundsReport report;
-    report.rounds = once.empty() ? 0 : once.back().first + 1;
+    report.rounds = once.empty() ? 0 : once.back().first + 2;
     report.senders.resize(static_cast<std::size_t>(report.rounds));
     for (const auto& [round, node] : once) {
         ++report.senders[static_cast<std::size_t>(round)];

@@ -4,8 +4,13 @@
 #include "machine/observe/statistics_files.hpp"
 #include "tests/emulation/machines.hpp"
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
 
 namespace rasterloom::emulation {
 namespace {
@@ -106,6 +111,21 @@ TEST(Run, CountsRoundsWhereAMessageTakesOne) {
     EXPECT_LE(rotate.rounds->rounds, 3 * rotate.longest_route);
     for (const std::int64_t senders : rotate.rounds->senders) {
         EXPECT_LE(senders, 72);
+    }
+}
+
+// Strothotte 1981, 5.2.2, figures 20 to 22: longest route and rounds of the sphere's rotation.
+TEST(Run, RotatesTheSphereInThePublishedRounds) {
+    const std::vector<std::array<std::int64_t, 3>> published{{6, 1, 2}, {30, 3, 5}, {180, 20, 26}};
+    for (const auto& [degrees, longest, rounds] : published) {
+        const RunOutcome outcome =
+            run_machine(shipped("geodesic482-rounds.yaml",
+                                {"scene.rotate.start=" + std::to_string(degrees)}),
+                        {});
+        ASSERT_EQ(outcome.failure, "");
+        const observe::PhaseReport& rotate = outcome.report.phases.at(0);
+        EXPECT_EQ(rotate.longest_route, longest) << degrees;
+        EXPECT_EQ(rotate.rounds->rounds, rounds) << degrees;
     }
 }
 

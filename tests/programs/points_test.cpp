@@ -20,7 +20,7 @@ struct Worst {
     double place = 0;  // pixels
     double depth = 0;
     double intensity = 0;  // grey levels
-    int wrong_sides = 0;   // that look away on one side only, though not edge-on
+    int wrong_sides = 0;   // that look away on one side only, though not at the limit
 
     void add(const BareNode& node, const host::ScreenVertex& exact, double away) {
         const auto value = [&](std::uint32_t offset) {
@@ -32,7 +32,8 @@ struct Worst {
         intensity = std::max(
             intensity, std::fabs((node.word(kPoint + 6) & 077777) / 128.0 - 255 * exact.intensity));
         const bool looks_away = (node.word(kPoint + 6) & 0100000) != 0;
-        wrong_sides += std::fabs(away) > 3e-4 && looks_away != (away > 0) ? 1 : 0;
+        wrong_sides +=
+            std::fabs(away - host::kEdgeOn) > 3e-4 && looks_away != (away > host::kEdgeOn) ? 1 : 0;
     }
 };
 

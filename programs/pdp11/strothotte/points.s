@@ -151,6 +151,9 @@ project:
         add32
         .endm
 
+; Edge-on counts as looking away: above -1/512, high word of s2.28.
+edge_on = -8.
+
 ; Intensity of the crossing whose normal is at (r4), to (r5)+; bit 15: its surface looks away. r4 moves behind the
 ; normal. Clobbers r0 to r3.
 shade:  normal_times facet_light_rho, facet_light_phi, light_z
@@ -162,12 +165,9 @@ shade:  normal_times facet_light_rho, facet_light_phi, light_z
 1$:     mov     ambient, r0
 2$:     mov     r0, (r5)
         normal_times facet_away_rho, facet_away_phi, away_z
-        tst     r0
-        bgt     3$
-        blt     4$
-        cmp     r1, #40000              ; less than 1/16384 is the rounding's
-        blos    4$
-3$:     bis     #100000, (r5)
-4$:     tst     (r5)+
+        cmp     r0, #edge_on
+        blt     3$
+        bis     #100000, (r5)
+3$:     tst     (r5)+
         add     #6, r4
         return
