@@ -20,7 +20,7 @@ const std::vector<CostModelInfo>& models() {
           {"divide", 10, "DIV in all, whatever its operands"},
           {"trap", 4, "taking a trap or interrupt: two words pushed, two fetched"}}},
         {"strothotte",
-         "units u, Strothotte 1981, 5.2",
+         "units u, Strothotte 1981, 5.3",
          {{"arithmetic", 1, "add, subtract, compare, logic, shift, test"},
           {"multiply", 10, "MUL"},
           {"divide", 10, "DIV"},

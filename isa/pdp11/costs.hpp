@@ -7,7 +7,7 @@
 // instruction word, not data. JMP and JSR access their target's pointers only; pushes, pops and the
 // four accesses of a trap are data.
 //
-// Model `strothotte` (Strothotte 1981, 5.2): units u, by class of operation:
+// Model `strothotte` (Strothotte 1981, 5.3): units u, by class of operation:
 //   multiply    MUL
 //   divide      DIV
 //   move        MOV CLR SWAB and their byte forms

@@ -22,6 +22,9 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  rasterloom run configs/geodesic482.yaml --out out/teapot\n"
     "  rasterloom run configs/geodesic482.yaml --set scene.rotate.degrees=30 --frames 3\n"
+    "      (each frame turns by 30 degrees; the machine does the rotating)\n"
+    "  rasterloom run configs/geodesic482.yaml --set scene.rotate.start=180\n"
+    "      (the first frame is turned by 180 degrees already)\n"
     "  rasterloom describe configs/geodesic482.yaml\n"
     "\n"
     "Exit status: 0 success; 1 a defect of the emulator; 2 wrong usage, configuration or input;\n"
@@ -36,6 +39,7 @@ void set_up(CLI::App& app, Session& session) {
     app.fallthrough();
     app.add_option("--data", session.data, "The folder that holds programs/ and configs/")
         ->envname("RASTERLOOM_DATA")
+        ->check(CLI::ExistingDirectory)
         ->type_name("DIR");
     add_run_command(app, session);
     add_describe_command(app, session);
@@ -44,19 +48,27 @@ void set_up(CLI::App& app, Session& session) {
 }
 
 // CLI11 only says that a subcommand is missing when the user's is not known.
-void check_subcommand(const CLI::App& app, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') {
+void check_subcommand(const CLI::App& app, const std::vector<std::string>& words) {
+    const std::vector<const CLI::App*> commands = app.get_subcommands({});
+    if (commands.empty() || (!words.empty() && words[0].starts_with('-'))) {
         return;
     }
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({})) {
+    for (const CLI::App* command : commands) {
         names.push_back(command->get_name());
     }
-    if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
-        config::refuse({"command line", 0, 0}, {}, argv[1], "no such subcommand",
-                       fmt::format("one of {}", fmt::join(names, ", ")),
-                       config::nearest_name(argv[1], names));
+    const std::string expected = fmt::format("one of {}", fmt::join(names, ", "));
+    if (words.empty()) {
+        config::refuse({"command line", 0, 0}, {}, {}, "a subcommand is missing",
+                       expected + "; --help explains them");
     }
+    const auto known = std::find(names.begin(), names.end(), words[0]);
+    if (known == names.end()) {
+        config::refuse({"command line", 0, 0}, {}, words[0], "no such subcommand", expected,
+                       config::nearest_name(words[0], names));
+    }
+    check_subcommand(*commands[static_cast<std::size_t>(known - names.begin())],
+                     {words.begin() + 1, words.end()});
 }
 
 int status(ExitStatus value) {
@@ -74,11 +86,16 @@ int run(int argc, char** argv) {
     Session session;
     set_up(app, session);
     try {
-        check_subcommand(app, argc, argv);
+        check_subcommand(app, {argv + 1, argv + argc});
         app.parse(argc, argv);
         return status(session.status);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? status(ExitStatus::success) : status(ExitStatus::bad_input);
+        if (error.get_exit_code() != 0) {
+            return complain(
+                ExitStatus::bad_input,
+                fmt::format("command line: {}; --help explains it", error.what()).c_str());
+        }
+        return app.exit(error);  // --help, --version
     } catch (const config::ConfigError& error) {
         return complain(ExitStatus::bad_input, error.what());
     } catch (const observe::OutputError& error) {

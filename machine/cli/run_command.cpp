@@ -2,6 +2,7 @@
 // rasterloom run: emulates a machine, prints a summary, writes pictures and statistics.
 #include "machine/cli/command.hpp"
 #include "machine/cli/config_options.hpp"
+#include "machine/cli/interruption.hpp"
 #include "machine/cli/progress_bar.hpp"
 #include "machine/emulation/run.hpp"
 #include "machine/host/animation.hpp"
@@ -87,9 +88,11 @@ void print_outcome(const RunCommandOptions& options, const config::MachineDescri
 void run(const RunCommandOptions& options, Session& session) {
     const config::MachineDescription machine = load(options.config, session);
     std::optional<observe::OutputFolder> folder;
+    std::optional<Interruption> interruption;  // ends before the folder does
     emulation::RunOptions run_options;
     if (!options.no_files) {
-        folder.emplace(output_folder(options));
+        interruption.emplace([&] { folder.emplace(output_folder(options)); },
+                             [&folder] { folder->abandon(); });
         run_options.messages_csv = folder->file("messages.csv");
     }
     run_options.reference_pictures = options.compare;

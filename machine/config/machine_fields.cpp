@@ -33,6 +33,15 @@ Field machine_name_field() {
             [](const MachineDescription& machine) { return yaml_scalar(machine.machine); }};
 }
 
+std::string find_graph(const Value& value, const Locator& locator) {
+    try {
+        return find_file(value, locator, locator.configs()).path.string();
+    } catch (const std::invalid_argument& problem) {
+        refuse(value.where, "topology.file", scalar_text(value), problem.what(),
+               "an edge list or a GraphML file");
+    }
+}
+
 void read_topology(MachineDescription& machine, const Value& value, const Locator& locator) {
     if (value.kind != Value::Kind::mapping) {
         throw std::invalid_argument(std::string(kind_name(value.kind)) +
@@ -44,8 +53,7 @@ void read_topology(MachineDescription& machine, const Value& value, const Locato
         if (entry.key == "kind") {
             machine.topology.kind = scalar_text(entry.value);
         } else if (entry.key == "file") {
-            machine.topology.parameters["file"] =
-                find_file(entry.value, locator, locator.configs()).path.string();
+            machine.topology.parameters["file"] = find_graph(entry.value, locator);
         } else {
             machine.topology.parameters[entry.key] = scalar_text(entry.value);
         }
@@ -83,7 +91,7 @@ void read_cost(MachineDescription& machine, const Value& value, const Locator&) 
             continue;
         }
         const std::int64_t cycles = parse_count(scalar_text(entry.value));
-        if (cycles < 0 || cycles > 1'000'000) {
+        if (cycles < 0 || cycles > 10'000) {
             throw std::invalid_argument("out of range: " + entry.key);
         }
         machine.nodes.cost.overrides[entry.key] = cycles;
@@ -93,7 +101,7 @@ void read_cost(MachineDescription& machine, const Value& value, const Locator&) 
 Field cost_field() {
     return {"nodes.cost",
             "a mapping with a model and cycles, such as { model: strothotte, move: 1, branch: 1 }",
-            "the cost model and its numbers, in cycles (0 to 1000000): see `rasterloom list isas`",
+            "the cost model and its numbers, in cycles (0 to 10000): see `rasterloom list isas`",
             false,
             read_cost,
             [](const MachineDescription& machine) {

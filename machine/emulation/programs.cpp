@@ -2,6 +2,7 @@
 #include "machine/emulation/programs.hpp"
 
 #include "isa/assembler.hpp"
+#include "isa/cost_choice.hpp"
 #include "isa/image_files.hpp"
 #include "isa/pdp11/pdp11.hpp"
 
@@ -89,9 +90,15 @@ std::shared_ptr<const isa::PreparedProgram> prepare_program(const isa::Isa& isa,
                                                             const isa::Image& image,
                                                             const MachineDescription& machine) {
     try {
-        return isa.prepare(image, cost_choice(machine));
+        isa::resolve_costs(isa.name(), isa.cost_models(), cost_choice(machine));
     } catch (const std::invalid_argument& problem) {
         throw machine.error("nodes.cost", {}, problem.what());
+    }
+    try {
+        return isa.prepare(image, cost_choice(machine));
+    } catch (const std::invalid_argument& problem) {
+        throw machine.error(machine.nodes.entry ? "nodes.entry" : "nodes.program", {},
+                            problem.what());
     }
 }
 

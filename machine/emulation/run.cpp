@@ -104,14 +104,31 @@ std::string first_lines(const std::string& text) {
     return fmt::format("{}  and {} more", text.substr(0, end), rest);
 }
 
-std::string failure_of(const RunResult& result, const MachineDescription& description) {
+// What everybody is at who has not finished.
+std::string activities(const Machine& machine) {
+    std::string text;
+    for (const Processor* processor : machine.processors()) {
+        if (const auto activity = processor->activity()) {
+            text += "\n  " + *activity;
+        }
+    }
+    if (machine.supervisor() != nullptr) {
+        if (const auto waits = machine.supervisor()->waits_for()) {
+            text += "\n  supervisor waits for " + *waits;
+        }
+    }
+    return text;
+}
+
+std::string failure_of(const RunResult& result, const MachineDescription& description,
+                       const Machine& machine) {
     if (result.end == RunEnd::failed) {
         return first_lines(result.failure->message());
     }
     if (result.end == RunEnd::limit) {
-        return fmt::format(
-            "the machine has not finished after {} of its time (run.max_time, --max-time)",
-            config::format_duration(description.run.max_time));
+        return first_lines(fmt::format(
+            "the machine has not finished after {} of its time (run.max_time, --max-time){}",
+            config::format_duration(description.run.max_time), activities(machine)));
     }
     return {};
 }
@@ -159,7 +176,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     const RunResult result = run_in_slices(machine, description, options);
     outcome.wall_seconds = seconds_since(start);
 
-    outcome.failure = failure_of(result, description);
+    outcome.failure = failure_of(result, description, machine);
     outcome.report = gather_report(description, topology, *image, machine, phases, result.time);
     if (messages) {
         messages->close();

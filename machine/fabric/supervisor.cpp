@@ -7,23 +7,6 @@
 
 namespace rasterloom {
 
-namespace {
-
-// A program's mistake in counting, as the supervisor sees it.
-class CountError final : public Failure {
-  public:
-    CountError(Time time, std::string node, std::string what)
-        : Failure(time, std::move(node)), what_(std::move(what)) {}
-    std::string message() const override {
-        return fmt::format("guest error at {}: {}: {}", to_string(time()), component(), what_);
-    }
-
-  private:
-    std::string what_;
-};
-
-}  // namespace
-
 Supervisor::Supervisor(std::string name, const Settings& settings)
     : Component(std::move(name)), settings_(settings), outstanding_(settings.nodes) {
     const auto require = [this](bool holds, const char* what) {
@@ -35,6 +18,7 @@ Supervisor::Supervisor(std::string name, const Settings& settings)
     require(settings.phases_per_frame >= 1, "a frame has at least 1 phase");
     require(settings.frames >= 1, "a run has at least 1 frame");
     require(settings.nodes >= 1, "a supervisor has at least 1 node");
+    processors_.resize(static_cast<std::size_t>(settings.nodes));
     for (int node = 0; node < settings.nodes; ++node) {
         add_port(fmt::format("node {}", node));
     }
@@ -45,12 +29,13 @@ Duration Supervisor::up() const {
 }
 
 void Supervisor::connect(Simulation& simulation, int index, Processor& node) {
+    processors_[static_cast<std::size_t>(index)] = &node;
     // A wire takes the same time either way; the odd tick is added to the announcement.
     simulation.connect(*this, static_cast<PortIndex>(index), node, node.supervisor_port(), up());
 }
 
 void Supervisor::handle(const Event& event) {
-    const auto change = static_cast<std::int64_t>(event.payload);
+    const std::int64_t change = credit_of(event.payload).change;
     if (change == 0) {
         return;
     }
@@ -70,9 +55,9 @@ void Supervisor::handle(const Event& event) {
 }
 
 void Supervisor::fail_count(const Event& event, const std::string& what) {
-    const auto port = static_cast<std::size_t>(event.port);
-    scheduler().fail(std::make_shared<CountError>(
-        now() - up(), ports()[port].name(),
+    const Processor& processor = *processors_[static_cast<std::size_t>(event.port)];
+    scheduler().fail(processor.mistake(
+        now() - up(), credit_of(event.payload).program_counter,
         fmt::format("{}, in phase {} of frame {}", what, current_.phase, current_.frame)));
 }
 

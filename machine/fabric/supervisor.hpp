@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rasterloom {
 
@@ -64,6 +65,7 @@ class Supervisor final : public Component {
     void fail_count(const Event& event, const std::string& what);
 
     Settings settings_;
+    std::vector<const Processor*> processors_;  // by port
     std::int64_t outstanding_;
     bool over_ = false;
     PhaseRecord current_;

@@ -18,6 +18,10 @@ std::string GuestError::message() const {
         text += fmt::format(", {}:{}", details_.source->file, details_.source->line);
     }
     text += "\n ";
+    if (details_.found_at) {
+        text += fmt::format(" (found out when the program had come to {})",
+                            format_word(*details_.found_at, details_.radix));
+    }
     for (const auto& [name, value] : details_.registers) {
         text += fmt::format(" {}={}", name, format_word(value, details_.radix));
     }

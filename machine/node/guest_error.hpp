@@ -25,6 +25,8 @@ class GuestError final : public Failure {
         std::vector<std::pair<std::string, std::uint32_t>> registers;
         int radix = 8;     // in which the machine's people write addresses: 8 or 16
         std::string what;  // "odd address 000123"
+        // Where the program stands now when the error came out later: the registers are of then.
+        std::optional<std::uint32_t> found_at;
     };
     GuestError(Time time, std::string component, Details details)
         : Failure(time, std::move(component)), details_(std::move(details)) {}

@@ -59,9 +59,25 @@ enum class MessageEvent : EventKind {
 
 // Kinds of event between a node and the supervisor.
 enum class SupervisorEvent : EventKind {
-    credit,  // node -> supervisor; payload: the signed word, as 64 bits
+    credit,  // node -> supervisor; payload: credit_payload()
     phase,   // supervisor -> node; payload: the value that PHASE shows
 };
+
+// A write to CREDIT, as the supervisor gets it.
+struct Credit {
+    std::int16_t change = 0;
+    std::uint32_t program_counter = 0;  // of the instruction that wrote it, for messages
+};
+
+constexpr std::uint64_t credit_payload(const Credit& credit) {
+    return static_cast<std::uint64_t>(credit.program_counter) << 16 |
+           static_cast<std::uint16_t>(credit.change);
+}
+
+constexpr Credit credit_of(std::uint64_t payload) {
+    return {static_cast<std::int16_t>(payload & 0177777),
+            static_cast<std::uint32_t>(payload >> 16)};
+}
 
 // What PHASE shows when the run is over.
 inline constexpr std::uint16_t kRunOver = 0177777;

@@ -140,6 +140,7 @@ bool Processor::step_io_instruction() {
     must_catch_up_ = false;
     stall_ = Stall::none;
     accesses_ = 0;
+    step_at_ = core_->program_counter();
     interrupt_requested_ = false;
     const isa::Stop stop = core_->step(*this);
     if (!error_.empty()) {
@@ -306,13 +307,13 @@ bool Processor::report_guest_error(std::string what, std::uint32_t program_count
     return reach_local_time();
 }
 
-void Processor::fail() {
+GuestError::Details Processor::details(std::uint32_t program_counter, std::string what) const {
     GuestError::Details details;
     details.node = settings_.node;
     details.cycle = cycle_;
-    details.program_counter = error_at_;
+    details.program_counter = program_counter;
     if (settings_.image != nullptr) {
-        if (const auto* source = settings_.image->source_of(details.program_counter)) {
+        if (const auto* source = settings_.image->source_of(program_counter)) {
             details.source = *source;
         }
     }
@@ -321,10 +322,22 @@ void Processor::fail() {
                                        core_->reg(static_cast<int>(i)));
     }
     details.radix = settings_.radix;
-    details.what = error_;
+    details.what = std::move(what);
+    return details;
+}
+
+void Processor::fail() {
     next_ = Next::nothing;
     meter_.halt(local_time_);
-    scheduler().fail(std::make_shared<GuestError>(local_time_, name(), std::move(details)));
+    scheduler().fail(std::make_shared<GuestError>(local_time_, name(), details(error_at_, error_)));
+}
+
+std::shared_ptr<const GuestError> Processor::mistake(Time time, std::uint32_t program_counter,
+                                                     std::string what) const {
+    GuestError::Details found = details(program_counter, std::move(what));
+    found.cycle = settings_.clock.edge_at_or_after(time).count();
+    found.found_at = core_->program_counter();
+    return std::make_shared<GuestError>(time, name(), std::move(found));
 }
 
 void Processor::close_books(Time end) {
@@ -356,14 +369,28 @@ std::optional<std::string> Processor::waits_for() const {
             what = "an interrupt";
             break;
     }
-    what += fmt::format(" since {}, at {}", to_string(local_time_),
-                        format_word(core_->program_counter(), settings_.radix));
+    return fmt::format("{} since {}, {}", what, to_string(local_time_),
+                       place(core_->program_counter()));
+}
+
+std::string Processor::place(std::uint32_t program_counter) const {
+    std::string text = fmt::format("at {}", format_word(program_counter, settings_.radix));
     if (settings_.image != nullptr) {
-        if (const auto* source = settings_.image->source_of(core_->program_counter())) {
-            what += fmt::format(", {}:{}", source->file, source->line);
+        if (const auto* source = settings_.image->source_of(program_counter)) {
+            text += fmt::format(", {}:{}", source->file, source->line);
         }
     }
-    return what;
+    return text;
+}
+
+std::optional<std::string> Processor::activity() const {
+    if (const auto waits = waits_for()) {
+        return fmt::format("{} waits for {}", name(), *waits);
+    }
+    if (halted()) {
+        return std::nullopt;
+    }
+    return fmt::format("{} runs {}", name(), place(core_->program_counter()));
 }
 
 }  // namespace rasterloom

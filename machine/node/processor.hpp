@@ -71,6 +71,13 @@ class Processor final : public Component, private isa::Bus {
     // Ends the interval in progress at `end`, for the books; to be called once, after the last run.
     void close_books(Time end);
 
+    // What the processor is at, for a person; none when the program has halted.
+    std::optional<std::string> activity() const;
+    // A mistake of the program that somebody else found: the instruction at `program_counter` made
+    // it at `time`. The registers are those of now.
+    std::shared_ptr<const GuestError> mistake(Time time, std::uint32_t program_counter,
+                                              std::string what) const;
+
     void start() override;
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
@@ -97,6 +104,8 @@ class Processor final : public Component, private isa::Bus {
     void resume();
     bool report_guest_error(std::string what, std::uint32_t program_counter);
     void fail();
+    GuestError::Details details(std::uint32_t program_counter, std::string what) const;
+    std::string place(std::uint32_t program_counter) const;
 
     // processor_io.cpp: the registers.
     Read read(std::uint32_t address, int bytes) override;
@@ -143,6 +152,7 @@ class Processor final : public Component, private isa::Bus {
     std::uint32_t stall_argument_ = 0;  // the port, or the mask written to WAITFOR
     bool must_catch_up_ = false;        // the access was put off until the others have caught up
     int accesses_ = 0;                  // to the I/O page, by the instruction in progress
+    std::uint32_t step_at_ = 0;         // address of that instruction
     int steps_in_no_time_ = 0;          // such instructions since the local time last moved
 
     std::uint16_t phase_ = 0;

@@ -224,9 +224,8 @@ isa::Bus::Status Processor::write_credit(std::uint32_t value) {
     if (!settings_.supervised) {
         return refuse("CREDIT in a machine without a supervisor");
     }
-    const auto signed_value = static_cast<std::int64_t>(static_cast<std::int16_t>(value));
     send(supervisor_port(), static_cast<EventKind>(SupervisorEvent::credit),
-         static_cast<std::uint64_t>(signed_value), local_time_);
+         credit_payload({static_cast<std::int16_t>(value), step_at_}), local_time_);
     return Status::ok;
 }
 

@@ -45,6 +45,10 @@ OutputFolder::OutputFolder(const fs::path& final_folder) {
 }
 
 OutputFolder::~OutputFolder() {
+    remove_uncommitted();
+}
+
+void OutputFolder::remove_uncommitted() {
     std::error_code ignored;
     fs::remove_all(partial_, ignored);
     for (const fs::path& parent : made_parents_) {
@@ -52,7 +56,18 @@ OutputFolder::~OutputFolder() {
     }
 }
 
+void OutputFolder::abandon() {
+    ending_.lock();
+    constexpr int kTries = 100;  // the other thread may add a file while the folder is removed
+    std::error_code ignored;
+    for (int i = 0; i < kTries && fs::exists(partial_, ignored); ++i) {
+        remove_uncommitted();
+    }
+    remove_uncommitted();
+}
+
 void OutputFolder::commit() {
+    const std::lock_guard ending(ending_);
     if (!fs::exists(final_)) {
         fs::rename(partial_, final_);
         return;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -34,7 +35,15 @@ class OutputFolder {
     // other names stay.
     void commit();
 
+    // Removes everything that was not committed, folders on the way included, though another thread
+    // may be writing it. To be called from any thread when the process is about to end; the folder
+    // is never committed then.
+    void abandon();
+
   private:
+    void remove_uncommitted();
+
+    std::mutex ending_;  // held by who commits or abandons; for ever by who abandons
     std::filesystem::path final_;
     std::filesystem::path partial_;
     std::vector<std::filesystem::path> made_parents_;  // innermost first

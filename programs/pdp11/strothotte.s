@@ -1,5 +1,5 @@
 ; SPDX-License-Identifier: MIT
-; Rotation and display of an object by a sphere of processors (G. Strothotte 1981, chapter 5), one copy on each processor.
+; Rotation and display of an object by a sphere of processors (T. Strothotte 1981, chapter 5), one copy on each processor.
 ;
 ; A frame is six phases which the processor supervisor separates; between them nothing is in flight:
 ;   0 ROTATE    facets move to the processors that stand where they point now        rotate.s
