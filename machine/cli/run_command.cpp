@@ -4,6 +4,7 @@
 #include "machine/cli/config_options.hpp"
 #include "machine/cli/interruption.hpp"
 #include "machine/cli/progress_bar.hpp"
+#include "machine/config/error.hpp"
 #include "machine/emulation/run.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
@@ -87,6 +88,10 @@ void print_outcome(const RunCommandOptions& options, const config::MachineDescri
 
 void run(const RunCommandOptions& options, Session& session) {
     const config::MachineDescription machine = load(options.config, session);
+    if (options.compare && !machine.scene) {
+        config::refuse({"--compare", 0, 0}, {}, {}, "nothing is drawn without a scene",
+                       "a machine with a scene");
+    }
     std::optional<observe::OutputFolder> folder;
     std::optional<Interruption> interruption;  // ends before the folder does
     emulation::RunOptions run_options;

@@ -25,7 +25,8 @@ class StrothotteJob final : public HostJob {
   public:
     StrothotteJob(const MachineDescription& description, const Topology& topology,
                   const isa::Image& image)
-        : rotation_(description.scene->rotate),
+        : description_(description),
+          rotation_(description.scene->rotate),
           topology_(topology),
           image_(image),
           view_(make_view(description)),
@@ -39,7 +40,7 @@ class StrothotteJob final : public HostJob {
 
     void load(const std::vector<Processor*>& processors) override {
         for (topology::NodeIndex node = 0; node < processors.size(); ++node) {
-            for (const isa::Segment& segment : loader_.memory_of(node)) {
+            for (const isa::Segment& segment : memory_of(node)) {
                 processors[node]->core().write_memory(segment.address, segment.bytes);
             }
         }
@@ -76,6 +77,15 @@ class StrothotteJob final : public HostJob {
     }
 
   private:
+    std::vector<isa::Segment> memory_of(topology::NodeIndex node) const {
+        try {
+            return loader_.memory_of(node);
+        } catch (const std::invalid_argument& problem) {
+            throw description_.error("nodes.program", {}, problem.what(),
+                                     "a program that draws the scene, such as pdp11/strothotte.s");
+        }
+    }
+
     host::FacetModel sample(const MachineDescription& description, const Topology& topology) {
         host::FacetOptions options;
         options.normals = description.scene->normals == config::Normals::face
@@ -84,6 +94,7 @@ class StrothotteJob final : public HostJob {
         return host::sample_facets(topology, make_object(description), options, &statistics_);
     }
 
+    const MachineDescription& description_;
     config::RotationDescription rotation_;
     const Topology& topology_;
     const isa::Image& image_;

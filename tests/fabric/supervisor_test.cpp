@@ -83,14 +83,14 @@ TEST(Supervisor, RefusesToCountBelowZeroOrOnceThePhaseHasEnded) {
     EXPECT_THAT(
         below.simulation.run().failure->message(),
         HasSubstr(
-            "(node 0), cycle 0: CREDIT -8 takes away more than is outstanding (3), in phase 0"));
+            "(node 0), cycle 1: CREDIT -8 takes away more than is outstanding (3), in phase 0"));
 
     Script twice;
     twice.write(node_register(NodeRegister::credit), kMinusOne);
     twice.write(node_register(NodeRegister::credit), 1).halt();
     ScriptMachine after = machine_of(twice, supervised({Duration::microseconds(10), 2, 1, 3}));
     EXPECT_THAT(after.simulation.run().failure->message(),
-                HasSubstr("(node 0), cycle 1: CREDIT 1 after the phase had ended"));
+                HasSubstr("(node 0), cycle 3: CREDIT 1 after the phase had ended"));
 }
 
 TEST(Supervisor, RefusesSettingsOutOfRange) {
