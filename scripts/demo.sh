@@ -8,5 +8,4 @@ scripts/setup.sh
 command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 [ -f build/release/build.ninja ] || cmake --preset release -DRASTERLOOM_TESTS=OFF
 cmake --build --preset release --target rasterloom
-build/release/rasterloom run configs/geodesic482.yaml --out out/geodesic482 "$@"
-echo "The picture: out/geodesic482/frame-000.png"
+build/release/rasterloom run configs/geodesic482.yaml "$@"

@@ -91,7 +91,12 @@ class StrothotteJob final : public HostJob {
         options.normals = description.scene->normals == config::Normals::face
                               ? host::NormalStyle::face
                               : host::NormalStyle::smooth;
-        return host::sample_facets(topology, make_object(description), options, &statistics_);
+        const host::Mesh object = make_object(description);
+        try {
+            return host::sample_facets(topology, object, options, &statistics_);
+        } catch (const std::invalid_argument& problem) {
+            throw description.error("scene.object", {}, problem.what());
+        }
     }
 
     const MachineDescription& description_;
