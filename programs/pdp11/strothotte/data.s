@@ -113,8 +113,9 @@ top_vertex:     .word   0
 middle_vertex:  .word   0
 low_vertex:     .word   0
 lower_half:     .word   0
-row:            .word   0
-first_row:      .word   0
+own_row:        .word   0               ; the current row, counted from top_row,
+row_record:     .word   0               ; and its record where it is this processor's
+steps_due:      .word   0               ; 0: the long edge stands at the short edge's first row already
 rows_left:      .word   0               ; until the short edge ends
 edge_first:     .word   0
 edge_rows:      .word   0
@@ -123,11 +124,16 @@ divisor:        .word   0
 span_last:      .word   0
 span_row:       .word   0
 across:         .word   0               ; greatest width, and differences over it
+short_side:     .word   0               ; not negative: the long edge is the left one
 across_z:       .word   0
 across_i:       .word   0
-pixel_z:        .word   0, 0            ; growth a pixel
-pixel_i:        .word   0
 steep:          .word   0
+quick:          .word   0               ; 1: the long edge is the left one, and a pixel's growth is known
+                .word   0, s_size       ; the current row as a SPAN: growths for the whole triangle,
+row_span:       .word   kind_span, 0, 0, 0 ; start for the row, columns and path only to hand it over
+pixel_z = row_span + s_dz
+pixel_i = row_span + s_di
+                .blkw   6
 long_edge:      .blkw   12.
 short_edge:     .blkw   4
 

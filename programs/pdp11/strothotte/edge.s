@@ -1,7 +1,8 @@
 ; SPDX-License-Identifier: MIT
 ; Edges of the triangle being drawn: x, for the long edge also depth and intensity, at the centre line of the current row,
 ; and what they grow by a row, each with 16 bits of fraction. Both triangles at an edge compute it alike, from its upper end to its lower one, so
-; that no pixel between them is drawn twice or left out.
+; that no pixel between them is drawn twice or left out. An edge's x is kept 31 higher, so that a shift by 6 makes it the first
+; column at or right of it.
 
 e_x = 0                         ; value, fraction, growth, fraction of the growth
 e_z = 10
@@ -34,6 +35,7 @@ set_edge:
         mov     (r1), r3
         mov     (r2), r2
         call    edge_value
+        add     #31., e_x-10(r4)
         mov     edge_rows, r3
 3$:     mov     r3, r0
         return
@@ -47,8 +49,10 @@ add_values:
         call    edge_value
         mov     top_vertex, r3
         mov     6(r3), r3
+        add     #64., r3                ; half a grey level: rounds when the fraction is cut off
         mov     low_vertex, r2
         mov     6(r2), r2
+        add     #64., r2
 
 ; Value r3 at the upper end, r2 at the lower: (r4)+ = value at the first line, and growth. Clobbers r0 to r2.
 edge_value:
@@ -80,13 +84,4 @@ slope:  mov     r2, r1
         div     divisor, r0             ; 15 bits of signed fraction
         asl     r0
         sbc     r2
-        return
-
-; The long edge one row down.
-step_long:
-        .irp    v, <e_x, e_z, e_i>
-        add     long_edge+v+6, long_edge+v+2
-        adc     long_edge+v
-        add     long_edge+v+4, long_edge+v
-        .endr
         return

@@ -6,6 +6,15 @@
 ; to the lowest. Depth and intensity are followed along the long edge only; from there to a pixel they change as they do
 ; over the triangle's greatest width, which is at the height of its middle vertex.
 
+; The long edge one row down.
+        .macro  step_long
+        .irp    v, <e_x, e_z, e_i>
+        add     long_edge+v+6, long_edge+v+2
+        adc     long_edge+v
+        add     long_edge+v+4, long_edge+v
+        .endr
+        .endm
+
 ; Takes a triangle from the draw list. Out: r0 = 1. Clobbers all.
 begin_triangle:
         doing   mark_scan
@@ -39,9 +48,15 @@ begin_triangle:
         mov     r3, r2
         mov     #long_edge, r4
         call    set_edge
-        ble     end_triangle            ; no row's centre line crosses it
-        mov     edge_first, row
-        mov     edge_first, first_row
+        bgt     3$
+        jmp     end_triangle            ; no row's centre line crosses it
+3$:     mov     edge_first, r0
+        sub     top_row, r0
+        mov     r0, own_row
+        ash     #4, r0
+        add     row_table, r0
+        mov     r0, row_record
+        clr     steps_due
         call    add_values
         call    measure
         clr     lower_half
@@ -58,26 +73,25 @@ draw_row:
         ble     1$
         mov     r4, r3
         mov     long_edge, r4
-1$:     add     #31., r3                ; first column: that of the first centre at or right of the left end
-        ash     #-6, r3
+1$:     ash     #-6, r3                 ; first column: that of the first centre at or right of the left end
         bge     2$
         clr     r3
-2$:     add     #31., r4                ; last column: that of the last centre left of the right end
-        ash     #-6, r4
-        dec     r4
-        cmp     r4, last_column
+2$:     ash     #-6, r4                 ; last column: that of the last centre left of the right end
+        cmp     r4, screen_width
         ble     3$
-        mov     last_column, r4
-3$:     cmp     r3, r4
+        mov     screen_width, r4
+3$:     dec     r4
+        cmp     r3, r4
         bgt     4$
-        call    make_span
-4$:     inc     row
+        call    draw_span
+4$:     inc     own_row
+        add     #16., row_record
         dec     rows_left
         beq     begin_lower
-        call    step_long
         add     short_edge+6, short_edge+2
         adc     short_edge
         add     short_edge+4, short_edge
+        step_long
 next_row:
         tst     queue_mask
         bne     5$
@@ -98,9 +112,10 @@ set_short_edge:
         call    set_edge
         mov     r0, rows_left
         ble     begin_lower             ; no row: the next half, or the end
-        cmp     row, first_row
-        beq     next_row                ; the long edge stands there already
-        call    step_long
+        tst     steps_due
+        beq     1$                      ; the long edge stands there already
+        step_long
+1$:     inc     steps_due
         br      next_row
 
 end_triangle:

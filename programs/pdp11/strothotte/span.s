@@ -23,12 +23,19 @@ span_here:
         mov     w_left(r4), r0
         cmp     r2, w_first(r4)
         blt     hand_over               ; all of it is to the left
-        cmp     r1, w_last(r4)
-        ble     split
         mov     w_right(r4), r0
+        cmp     r1, w_last(r4)
+        bgt     hand_over
+        call    split
+        bne     hand_over
+        mov     #-1, @#io_credit
+        jmp     free_block
 hand_over:
         mov     r0, s_path(r5)
         jmp     follow
+
+; The span in r5, columns r1 to r2, has pixels on the row with record r4: draws them and hands over those to the left. Out:
+; r0 the path for those to the right, which the span holds then, or 0; flags as of r0. Clobbers r1 to r4.
 split:  cmp     r1, w_first(r4)
         bge     2$
         call    left_part
@@ -40,17 +47,16 @@ split:  cmp     r1, w_first(r4)
 3$:     mov     r4, span_row
         call    plot
         mov     span_row, r4
-        mov     span_last, r2
-        cmp     r2, w_last(r4)
+        cmp     span_last, w_last(r4)
         ble     4$
-        mov     r0, s_z(r5)             ; the part to the right: plot has moved the start there
+        mov     r0, s_z(r5)             ; plot has moved the start there
         mov     r1, s_z+2(r5)
         movb    w_last(r4), s_first(r5)
         incb    s_first(r5)
-        mov     w_right(r4), r0
-        br      hand_over
-4$:     mov     #-1, @#io_credit
-        jmp     free_block
+        mov     w_right(r4), r0         ; never 0
+        return
+4$:     clr     r0
+        return
 
 ; Sends off the pixels of the span in r5 that lie left of row record r4, and moves the span's start to there.
 ; In: r1 the first column. Clobbers r0, r1, r3.

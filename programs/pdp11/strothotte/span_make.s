@@ -5,15 +5,75 @@
 
 steepest = 4096.                ; 8.8 a pixel: with less, a shift by 1/64 pixel stays within the rounding
 
-; The span from column r3 to r4 of the current row. Clobbers all.
-make_span:
-        call    get_block
-        mov     #kind_span, (r5)
-        mov     #-1, s_path(r5)
-        movb    row, s_y(r5)
-        movb    r3, s_first(r5)
-        movb    r4, s_last(r5)
-        mov     #s_size, b_length(r5)
+; The span from column r3 to r4 of the current row: draws what is this processor's, hands over the rest. Clobbers all.
+draw_span:
+        mov     #row_span, r5
+        tst     quick
+        beq     slow_start
+        mov     r3, r2
+        ash     #6, r2
+        add     #63., r2
+        sub     long_edge, r2           ; from the long edge to the first pixel's centre
+        cmp     r2, #63.
+        bhi     slow_start              ; cut off by the screen
+        mov     r2, r0
+        mul     pixel_z, r0
+        ashc    #-6, r0
+        add     long_edge+e_z, r1
+        mov     r1, s_z(r5)
+        clr     s_z+2(r5)
+        mov     r2, r0
+        mul     pixel_i, r0
+        ashc    #-6, r0
+        add     long_edge+e_i, r1
+        add     long_edge+e_i, r1
+        mov     r1, s_i(r5)
+started:
+        mov     r3, r1
+        mov     r4, r2
+        cmp     own_row, row_count
+        bhis    foreign_row
+        mov     row_record, r4
+        cmp     r1, w_first(r4)
+        blt     1$
+        cmp     r2, w_last(r4)
+        bgt     1$
+        jmp     plot                    ; all of it is this processor's
+1$:     call    name_row
+        mov     w_left(r4), r0
+        cmp     r2, w_first(r4)
+        blt     span_off
+        mov     w_right(r4), r0
+        cmp     r1, w_last(r4)
+        bgt     span_off
+        call    split
+        bne     span_off
+        return
+
+foreign_row:
+        call    name_row
+        mov     path_up, r0
+        tst     own_row
+        bmi     span_off
+        mov     path_down, r0
+; A copy of the span goes the way r0.
+span_off:
+        mov     r0, s_path(r5)
+        call    copy_block
+        mov     #1, @#io_credit
+        jmp     follow
+
+; Row and columns r1 to r2 into the row's span. Clobbers r0.
+name_row:
+        mov     own_row, r0
+        add     top_row, r0
+        movb    r0, s_y(r5)
+        movb    r1, s_first(r5)
+        movb    r2, s_last(r5)
+        return
+
+; The start by division: where the growth is not known or the first pixel is far from the long edge.
+slow_start:
         mov     across, divisor
         sub     r3, r4                  ; pixels behind the first
         call    from_long_edge
@@ -23,16 +83,13 @@ make_span:
         add     long_edge+e_z, r0
         mov     r0, s_z(r5)
         clr     s_z+2(r5)
-        mov     pixel_z, s_dz(r5)
-        mov     pixel_z+2, s_dz+2(r5)
         call    intensity
         mov     r0, r2
         asl     r0
-        add     #200, r0                ; rounds when the low byte is cut off
         mov     r0, s_i(r5)
-        mov     pixel_i, s_di(r5)
         tst     steep
         beq     1$
+        clr     s_di(r5)
         tst     r4
         beq     1$
         add     r4, r3
@@ -44,14 +101,15 @@ make_span:
         div     r4, r0
         asl     r0
         mov     r0, s_di(r5)
-1$:     mov     #1, @#io_credit
-        jmp     span_here
+        sub     r4, r3
+1$:     add     r3, r4
+        br      started
 
 ; skip = distance of column r3's centre from the long edge, not beyond the greatest width either way. Clobbers r0.
 from_long_edge:
         mov     r3, r0
         ash     #6, r0
-        add     #32., r0
+        add     #63., r0
         sub     long_edge, r0
         cmp     r0, divisor
         ble     1$
@@ -94,6 +152,7 @@ measure:
         beside  6
         mov     r0, across_i
         beside  0
+        mov     r0, short_side
         mov     r0, across
         bpl     1$
         neg     across
@@ -102,6 +161,7 @@ measure:
 1$:     bne     2$
         inc     across                  ; a sliver
 2$:     clr     steep
+        clr     quick
         mov     across, divisor
         cmp     divisor, #64.
         blt     4$                      ; no row has two pixels
@@ -117,6 +177,10 @@ measure:
         mov     r0, pixel_i
         add     #steepest, r0
         cmp     r0, #2*steepest
-        blos    4$
+        bhi     3$
+        tst     short_side
+        bmi     4$
+        inc     quick
+        return
 3$:     inc     steep
 4$:     return
