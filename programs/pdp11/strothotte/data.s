@@ -124,11 +124,11 @@ divisor:        .word   0
 span_last:      .word   0
 span_row:       .word   0
 across:         .word   0               ; greatest width, and differences over it
-short_side:     .word   0               ; not negative: the long edge is the left one
 across_z:       .word   0
 across_i:       .word   0
 steep:          .word   0
-quick:          .word   0               ; 1: the long edge is the left one, and a pixel's growth is known
+quick:          .word   0               ; 1: a pixel's growth is known
+whole_z:        .word   0               ; that of the depth, rounded
                 .word   0, s_size       ; the current row as a SPAN: growths for the whole triangle,
 row_span:       .word   kind_span, 0, 0, 0 ; start for the row, columns and path only to hand it over
 pixel_z = row_span + s_dz

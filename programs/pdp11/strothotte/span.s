@@ -63,18 +63,15 @@ split:  cmp     r1, w_first(r4)
 left_part:
         mov     r2, -(sp)
         mov     r4, -(sp)
+        mov     w_left(r4), s_path(r5)
         mov     w_first(r4), r4
-        sub     r1, r4                  ; how many pixels
-        mov     r5, -(sp)
-        call    copy_block
-        mov     2(sp), r1
-        mov     w_first(r1), r0
+        mov     r4, r0
         dec     r0
         movb    r0, s_last(r5)
-        mov     w_left(r1), s_path(r5)
+        sub     r1, r4                  ; how many pixels
         mov     #1, @#io_credit
-        call    follow
-        mov     (sp)+, r5
+        call    follow_copy
+        movb    r2, s_last(r5)
         mov     s_di(r5), r1
         mul     r4, r1
         add     r1, s_i(r5)

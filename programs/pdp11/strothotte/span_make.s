@@ -3,6 +3,7 @@
 ; Intensities stay within those of the vertices, so that they never wrap: where they are steep, the growth is taken
 ; from the span's own two ends.
 
+quick_reach = 512.              ; 1/64 pixel: so far left of the long edge a rounded growth is good enough
 steepest = 4096.                ; 8.8 a pixel: with less, a shift by 1/64 pixel stays within the rounding
 
 ; The span from column r3 to r4 of the current row: draws what is this processor's, hands over the rest. Clobbers all.
@@ -15,9 +16,11 @@ draw_span:
         add     #63., r2
         sub     long_edge, r2           ; from the long edge to the first pixel's centre
         cmp     r2, #63.
-        bhi     slow_start              ; cut off by the screen
+        bgt     slow_start              ; cut off by the screen
+        cmp     r2, #-quick_reach
+        blt     slow_start
         mov     r2, r0
-        mul     pixel_z, r0
+        mul     whole_z, r0
         ashc    #-6, r0
         add     long_edge+e_z, r1
         mov     r1, s_z(r5)
@@ -56,12 +59,10 @@ foreign_row:
         tst     own_row
         bmi     span_off
         mov     path_down, r0
-; A copy of the span goes the way r0.
 span_off:
         mov     r0, s_path(r5)
-        call    copy_block
         mov     #1, @#io_credit
-        jmp     follow
+        jmp     follow_copy
 
 ; Row and columns r1 to r2 into the row's span. Clobbers r0.
 name_row:
@@ -152,7 +153,6 @@ measure:
         beside  6
         mov     r0, across_i
         beside  0
-        mov     r0, short_side
         mov     r0, across
         bpl     1$
         neg     across
@@ -169,6 +169,9 @@ measure:
         call    slope
         mov     r2, pixel_z
         mov     r0, pixel_z+2
+        asl     r0
+        adc     r2
+        mov     r2, whole_z
         mov     across_i, r1            ; twice 64 times the difference over the width
         sxt     r0
         ashc    #7, r0
@@ -178,8 +181,6 @@ measure:
         add     #steepest, r0
         cmp     r0, #2*steepest
         bhi     3$
-        tst     short_side
-        bmi     4$
         inc     quick
         return
 3$:     inc     steep

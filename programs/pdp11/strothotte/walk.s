@@ -11,6 +11,16 @@ follow: mov     t_path(r5), r3
         asl     r3
         jmp     send
 
+; The same with a copy of the message, which stays the caller's.
+follow_copy:
+        mov     t_path(r5), r3
+        mov     r3, r0
+        ash     #-3, r0
+        mov     r0, t_path(r5)
+        bic     #177770, r3
+        asl     r3
+        jmp     send_copy
+
 ; In: r0 a row of the screen. Out: r4 its record, or 0 and r0 a path towards it. Flags as of r4.
 find_row:
         sub     top_row, r0
