@@ -64,15 +64,33 @@ edge_value:
         mov     r0, (r4)+
         clr     (r4)+
         cmp     edge_rows, #1
-        beq     1$                      ; nothing to step to
-        call    slope
-        mov     r2, (r4)+
+        beq     2$                      ; nothing to step to
+        cmp     edge_rows, #short_way
+        bgt     1$
+        call    short_slope
         mov     r0, (r4)+
+        mov     r1, (r4)+
         return
-1$:     add     #4, r4
+1$:     call    slope
+        mov     r0, (r4)+
+        mov     r1, (r4)+
+        return
+2$:     add     #4, r4
         return
 
-; r2 and fraction r0 = 64 r2 / divisor, which is above 64. Clobbers r1.
+; r0 and fraction r1 = 64 r2 / divisor, which is above 64. Over a short way six bits of fraction are enough, which one
+; division yields unless the growth is steep. Clobbers r2.
+short_way = 16.                 ; steps
+
+short_slope:
+        mov     r2, r1
+        sxt     r0
+        ashc    #12., r0
+        div     divisor, r0
+        bvs     slope
+        clr     r1
+        ashc    #-6, r0
+        return
 slope:  mov     r2, r1
         sxt     r0
         ashc    #6, r0
@@ -84,4 +102,6 @@ slope:  mov     r2, r1
         div     divisor, r0             ; 15 bits of signed fraction
         asl     r0
         sbc     r2
+        mov     r0, r1
+        mov     r2, r0
         return

@@ -166,12 +166,16 @@ measure:
         cmp     divisor, #64.
         blt     4$                      ; no row has two pixels
         mov     across_z, r2
-        call    slope
-        mov     r2, pixel_z
-        mov     r0, pixel_z+2
-        asl     r0
-        adc     r2
-        mov     r2, whole_z
+        cmp     divisor, #64.*short_way
+        bgt     5$
+        call    short_slope
+        br      6$
+5$:     call    slope
+6$:     mov     r0, pixel_z
+        mov     r1, pixel_z+2
+        asl     r1
+        adc     r0
+        mov     r0, whole_z
         mov     across_i, r1            ; twice 64 times the difference over the width
         sxt     r0
         ashc    #7, r0
