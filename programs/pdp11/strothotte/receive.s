@@ -6,8 +6,11 @@
 receive:
         asl     r3
         mov     r3, arrival_port
-        call    get_block
-        mov     port_address(r3), r0
+        mov     free_list, r5           ; a block: most often one that was freed
+        beq     1$
+        mov     b_link(r5), free_list
+        dec     free_count
+2$:     mov     port_address(r3), r0
         mov     rxlen(r0), b_length(r5)
         mov     r5, rxaddr(r0)
         incb    m_hops(r5)
@@ -16,6 +19,8 @@ receive:
         cmp     r0, #2*kind_span
         bhi     unknown_kind
         jmp     @handler(r0)
+1$:     call    get_block
+        br      2$
 
 unknown_kind:
         mov     #fault_message, @#io_fault

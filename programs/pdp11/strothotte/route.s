@@ -12,6 +12,23 @@ r_polar    = 10                 ; not 0: the pole is in this processor's region
 r_vectors  = 12                 ; address of directions, three words s1.14 each: own, then the neighbours' in port order
 r_sectors  = 14                 ; pairs: greatest slope (unsigned), twice the port's number; the last slope is 177777
 
+; Distances r0 = dphi, r1 = dtheta, r2 and r3 their magnitudes; when within the arrival rectangle, goes to `inside`.
+        .macro  rectangle inside
+        sub     r_phi(r4), r0
+        mov     r0, r2
+        bpl     21$
+        neg     r2
+21$:    sub     r_theta(r4), r1
+        mov     r1, r3
+        bpl     22$
+        neg     r3
+22$:    cmp     r2, r_wide(r4)
+        bhi     23$
+        cmp     r3, r_high(r4)
+        blos    inside
+23$:
+        .endm
+
 ; In: r5 a FACET. Out: r3 twice the port, or -1: it has arrived. Clobbers r0 to r4.
 route_facet:
         mov     f_phi(r5), r0
@@ -36,8 +53,7 @@ route_by_angles:
         mov     t_vz(r5), goal_z
 
 ; In: r0 phi, r1 theta and goal_x, goal_y, goal_z of the target, r4 the record. Out: r3. Clobbers r0 to r4.
-great:  call    rectangle
-        beq     arrived
+great:  rectangle great_arrived
         mov     r_vectors(r4), r4
         mov     #-1, best_port
         call    dot
@@ -58,6 +74,9 @@ great:  call    rectangle
         ble     1$
         mov     best_port, r3
         return
+great_arrived:
+        mov     #-1, r3
+        return
 
 ; r0:r1 = (r4)+ times the goal.
 dot:    mov     (r4)+, r0
@@ -72,10 +91,9 @@ dot:    mov     (r4)+, r0
 
 ; In: r0 phi, r1 theta of the target, r4 the record, arrival_port. Out: r3. Clobbers r0 to r4.
 small_circle:
-        call    rectangle
-        beq     arrived
+        rectangle arrived
         tst     r_polar(r4)
-        bne     3$                      ; only the longitude counts
+        bne     3$                     ; only the longitude counts
         mov     r0, -(sp)
         mov     r1, -(sp)
         clc
@@ -97,32 +115,14 @@ small_circle:
         bpl     3$
         neg     r0
         add     #100000, r0
-3$:     add     #r_sectors, r4
-5$:     cmp     r0, (r4)+
-        blos    6$
-        tst     (r4)+
-        br      5$
-6$:     mov     (r4), r3
+3$:     add     #r_sectors-2, r4
+5$:     tst     (r4)+
+        cmp     r0, (r4)+
+        bhi     5$
+        mov     (r4), r3
         cmp     r3, arrival_port        ; to and fro between two processors: stay
         beq     arrived
         return
 arrived:
         mov     #-1, r3
         return
-
-; Distances r0 = dphi, r1 = dtheta, r2 and r3 their magnitudes; Z set: within the arrival rectangle.
-rectangle:
-        sub     r_phi(r4), r0
-        mov     r0, r2
-        bpl     1$
-        neg     r2
-1$:     sub     r_theta(r4), r1
-        mov     r1, r3
-        bpl     2$
-        neg     r3
-2$:     cmp     r2, r_wide(r4)
-        bhi     3$
-        cmp     r3, r_high(r4)
-        bhi     3$
-        sez
-3$:     return

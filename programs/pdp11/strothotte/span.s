@@ -14,12 +14,25 @@ span_in:
 span_here:
         movb    s_y(r5), r0
         bic     #177400, r0
-        call    find_row
-        beq     hand_over
+        sub     top_row, r0
+        cmp     r0, row_count
+        bhis    other_row
+        ash     #4, r0
+        add     row_table, r0
+        mov     r0, r4
         movb    s_first(r5), r1
         bic     #177400, r1
         movb    s_last(r5), r2
         bic     #177400, r2
+        cmp     r1, w_first(r4)
+        blt     part_here
+        cmp     r2, w_last(r4)
+        bgt     part_here
+        call    plot                    ; all of it is this processor's
+span_done:
+        mov     #-1, @#io_credit
+        jmp     free_block
+part_here:
         mov     w_left(r4), r0
         cmp     r2, w_first(r4)
         blt     hand_over               ; all of it is to the left
@@ -27,12 +40,17 @@ span_here:
         cmp     r1, w_last(r4)
         bgt     hand_over
         call    split
-        bne     hand_over
-        mov     #-1, @#io_credit
-        jmp     free_block
+        beq     span_done
 hand_over:
         mov     r0, s_path(r5)
         jmp     follow
+other_row:
+        tst     r0
+        bmi     2$
+        mov     path_down, r0
+        br      hand_over
+2$:     mov     path_up, r0
+        br      hand_over
 
 ; The span in r5, columns r1 to r2, has pixels on the row with record r4: draws them and hands over those to the left. Out:
 ; r0 the path for those to the right, which the span holds then, or 0; flags as of r0. Clobbers r1 to r4.
