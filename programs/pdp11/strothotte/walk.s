@@ -11,7 +11,7 @@ follow: mov     t_path(r5), r3
         asl     r3
         jmp     send
 
-; The same with a copy of the message, which stays the caller's.
+; The same for a copy of the message, which stays the caller's.
 follow_copy:
         mov     t_path(r5), r3
         mov     r3, r0
