@@ -10,12 +10,14 @@ not there are left out, and the table says so.
 """
 
 import argparse
+import csv
 import json
 import os
 import re
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -38,11 +40,15 @@ class Emulator:
             sys.exit(f"results.py: rasterloom {' '.join(arguments)} failed:\n{done.stderr}")
         return done.stdout
 
-    def run(self, config, *arguments):
-        """One run: its statistics and its printed summary."""
+    def run(self, config, *arguments, records=None):
+        """One run: its statistics and its printed summary; the rows of the CSV files go to the dict `records`."""
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "out"
             summary = self.text("run", f"configs/{config}.yaml", "--out", str(out), *arguments)
+            if records is not None:
+                for name in ("nodes", "messages"):
+                    with open(out / f"{name}.csv", newline="") as file:
+                        records[name] = list(csv.DictReader(file))
             return json.loads((out / "statistics.json").read_text()), summary
 
 
@@ -64,9 +70,13 @@ def phase(statistics, name, frame=None):
 
 
 def graph(emulator, _arguments):
-    print(emulator.text("describe", "configs/geodesic482.yaml"))
-    for b, c in [(1, 0), (1, 1), (2, 1), (3, 2), (5, 0), (8, 8), (20, 20)]:
-        print(emulator.text("describe", "configs/geodesic482.yaml", *setting(topology__b=b, topology__c=c)))
+    rows = []
+    for b, c in ((1, 0), (1, 1), (2, 1), (3, 2), (5, 0), (4, 4), (8, 8), (20, 20)):
+        described = emulator.text("describe", "configs/geodesic482.yaml", *setting(topology__b=b, topology__c=c))
+        rows.append([f"({b}, {c})", *(re.search(rf"^{name} +(.*)$", described, re.MULTILINE).group(1)
+                                      for name in ("Nodes", "Edges", "Distances", "Planar"))])
+    table(["(b, c)", "nodes", "edges", "distances", "planar"], rows)
+    print(emulator.text("describe", "configs/geodesic482.yaml", "--node", "P31-123"))
 
 
 PUBLISHED_ROTATIONS = {6: (1, 2), 30: (3, 5), 180: (20, 26)}
@@ -75,28 +85,29 @@ PUBLISHED_ROTATIONS = {6: (1, 2), 30: (3, 5), 180: (20, 26)}
 def rounds(emulator, arguments):
     curves = {}
     rows = []
+
+    def add(what, routing, part, published, *arguments_of_run):
+        records = {}
+        statistics, _ = emulator.run("geodesic482-rounds", *arguments_of_run, *setting(scene__routing=routing),
+                                     records=records)
+        found = phase(statistics, part)
+        synchronous = found["synchronous"]
+        curves[f"{what}, {routing}"] = synchronous["utilisation"]
+        longest, expected = published if routing == "small_circle" else ("-", "-")
+        kind = "1" if part == "rotate" else "5"
+        senders = Counter(int(row["source"]) for row in records["messages"] if row["kind"] == kind)
+        busiest, sent = senders.most_common(1)[0]
+        rows.append([what, routing.replace("_", "-"), found["longest_route_hops"], longest, synchronous["rounds"], expected,
+                     f"{records['nodes'][busiest]['name']} ({sent})", shares(synchronous["utilisation"])])
+
     for routing in ("small_circle", "great_circle"):
-        for degrees, (longest, published) in PUBLISHED_ROTATIONS.items():
-            statistics, _ = emulator.run(
-                "geodesic482-rounds", "--frames", "2",
-                *setting(scene__object="sphere", scene__routing=routing, scene__rotate__degrees=degrees))
-            rotate = phase(statistics, "rotate")
-            synchronous = rotate["synchronous"]
-            curves[f"sphere, {degrees} degrees, {routing}"] = synchronous["utilisation"]
-            small = routing == "small_circle"
-            rows.append([f"rotation by {degrees} degrees", routing, rotate["longest_route_hops"],
-                         longest if small else "-", synchronous["rounds"], published if small else "-",
-                         shares(synchronous["utilisation"])])
-        for name, longest, published in (("sphere", 9, 10), ("cube", 3, 5)):
-            statistics, _ = emulator.run("geodesic482-rounds",
-                                         *setting(scene__object=name, scene__routing=routing, scene__rotate__degrees=0))
-            transfer = phase(statistics, "transfer")
-            synchronous = transfer["synchronous"]
-            curves[f"draw {name}, {routing}"] = synchronous["utilisation"]
-            small = routing == "small_circle"
-            rows.append([f"draw the {name}", routing, transfer["longest_route_hops"], longest if small else "-",
-                         synchronous["rounds"], published if small else "-", shares(synchronous["utilisation"])])
-    table(["what", "routing", "longest route", "published", "rounds", "published", "processors that send, % a round"], rows)
+        for degrees, published in PUBLISHED_ROTATIONS.items():
+            add(f"rotate the sphere by {degrees} degrees", routing, "rotate", published,
+                *setting(scene__object="sphere", scene__rotate__start=degrees))
+        for name, published in (("sphere", (9, 10)), ("cube", (3, 5))):
+            add(f"draw the {name}", routing, "transfer", published, *setting(scene__object=name))
+    table(["what", "routing", "longest route", "published", "rounds", "published", "busiest sender (messages)",
+           "processors that send, % a round"], rows)
     if arguments.plots:
         plot(curves, Path(arguments.plots))
 
@@ -132,12 +143,12 @@ THESIS_FRAME = {"rotate": 66, "points": 1096, "assemble": "in Ci", "transfer": 8
 
 def frame(emulator, _arguments):
     rows = []
-    for name in ("sphere", "teapot"):
+    for name, scale in (("sphere", 0.8), ("teapot", 0.9)):  # a sphere of 0.8 covers about half of the screen
         for move in (0, 1):
             for u in ("1us", "5us"):
                 statistics, _ = emulator.run(
                     "geodesic482", "--frames", "2",
-                    *setting(scene__object=name, scene__rotate__degrees=6, nodes__clock=u, links__time_per_byte=u,
+                    *setting(scene__object=name, scene__scale=scale, scene__rotate__degrees=6, nodes__clock=u, links__time_per_byte=u,
                              supervisor__latency=u, nodes__cost__move=move, nodes__cost__branch=move))
                 second = statistics["frames"][-1]
                 phases = [phase(statistics, part, frame=1)["duration_u"] for part in THESIS_FRAME]
