@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t kLongestShownValue = 80;
 
 // A message is one line: control characters of a broken file are shown as escapes.
-std::string printable(std::string_view text) {
+std::string escaped(std::string_view text) {
     std::string shown;
-    for (const char c : text.substr(0, kLongestShownValue)) {
+    for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
         if (byte < 0x20 || byte == 0x7f) {
             shown += fmt::format("\\x{:02x}", byte);
@@ -22,7 +22,11 @@ std::string printable(std::string_view text) {
             shown += c;
         }
     }
-    return text.size() > kLongestShownValue ? shown + "..." : shown;
+    return shown;
+}
+
+std::string shortened(const std::string& text) {
+    return text.size() > kLongestShownValue ? text.substr(0, kLongestShownValue) + "..." : text;
 }
 
 std::string message_of(const Problem& problem) {
@@ -31,11 +35,11 @@ std::string message_of(const Problem& problem) {
         text += text.empty() ? part : std::string(separator) + part;
     };
     if (!problem.key.empty()) {
-        append(": ", printable(problem.key));
+        append(": ", shortened(problem.key));
     }
     append(": ", problem.what);
     if (!problem.value.empty()) {
-        text += fmt::format(" '{}'", printable(problem.value));
+        text += fmt::format(" '{}'", shortened(problem.value));
     }
     if (!problem.expected.empty()) {
         append("; expected ", problem.expected);
@@ -43,7 +47,7 @@ std::string message_of(const Problem& problem) {
     if (!problem.nearest.empty()) {
         text += fmt::format("; did you mean '{}'?", problem.nearest);
     }
-    return text;
+    return escaped(text);
 }
 
 }  // namespace
