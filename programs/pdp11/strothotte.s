@@ -11,13 +11,6 @@
 ; docs/geodesic-program.md explains the whole; layout.s has the memory, the formats and the messages.
 
 phases_per_frame = 6
-phase_name_rotate   = 0
-phase_name_points   = 1
-phase_name_assemble = 2
-phase_name_seek     = 3
-phase_name_transfer = 4
-phase_name_draw     = 5
-
 ; as statistics name them
 phase_name_rotate   = 0
 phase_name_points   = 1
@@ -26,7 +19,8 @@ phase_name_seek     = 3
 phase_name_transfer = 4
 phase_name_draw     = 5
 
-        .include "strothotte/ports.s"
+        .include "include/node.s"
+        .include "strothotte/codes.s"
         .include "strothotte/macros.s"
         .include "strothotte/layout.s"
 

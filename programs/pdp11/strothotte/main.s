@@ -44,7 +44,7 @@ main_loop:
         tst     r0
         bne     5$
         mov     #fault_pool, @#io_fault
-4$:     bis     #140000, r0             ; a message or a new phase
+4$:     bis     #wait_message+wait_phase, r0
 5$:     mov     r0, @#io_waitfor
         cmp     @#io_phase, phase
         beq     main_loop

@@ -1,25 +1,5 @@
 ; SPDX-License-Identifier: MIT
-; The node's registers (programs/README.md).
-
-; a port's registers, from its base at 164000 + 20 k
-txstat = 0
-txaddr = 2
-txlen  = 4
-rxlen  = 12
-rxaddr = 14
-ports_base = 164000
-tx_room_bit = 200
-
-; the node's own
-io_node    = 165000
-io_ports   = 165002
-io_rxany   = 165004
-io_waitfor = 165006
-io_txroom  = 165010
-io_credit  = 165012
-io_phase   = 165014
-io_mark    = 165016
-io_fault   = 165020
+; The numbers by which the program tells the machine what it does and why it gives up.
 
 ; what the processor does, as MARK tells the statistics
 mark_start    = 0
