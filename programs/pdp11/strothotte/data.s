@@ -98,8 +98,6 @@ sum_x:          .word   0
 sum_y:          .word   0
 out_list:       .word   0               ; triangles for TRANSFER
 draw_list:      .word   0               ; triangles for DRAW
-draw_count:     .word   0               ; how many those are
-share_port:     .word   0               ; the neighbour, as twice its port, to draw the next one too many
 pending_top:    .word   0
 request_hops:   .word   0
 resumed:        .word   0

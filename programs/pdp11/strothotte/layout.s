@@ -64,8 +64,7 @@ q_origin = 10                   ; node that asks
 q_size   = 10.
 
 ; TRIANGLE: 34 bytes, 40 with great-circle routing
-t_path   = 2                    ; ports still to walk, 3 bits each, next one lowest, then ones; 0: routed by angles;
-                                ; positive: offered to a processor that may draw it, and to as many in all
+t_path   = 2                    ; ports still to walk, 3 bits each, next one lowest, then ones; 0: routed by angles
 t_x      = 4                    ; byte, pixel it goes to: that at its centre
 t_y      = 5                    ; byte
 t_phi    = 6                    ; angle, the same as coordinates on the sphere

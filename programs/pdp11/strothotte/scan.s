@@ -20,7 +20,6 @@ begin_triangle:
         doing   mark_scan
         mov     draw_list, r5
         mov     b_link(r5), draw_list
-        dec     draw_count
         mov     r5, scanning
         mov     r5, r1
         add     #t_body, r1

@@ -1,9 +1,6 @@
 ; SPDX-License-Identifier: MIT
 ; TRANSFER: triangles travel to the owner of the pixel at their centre, by angles until near, then over the screen.
 
-enough = 5                      ; triangles a processor keeps before it shares
-offers = 4                      ; how many processors such a triangle is offered to, the last one keeps it
-
 transfer:
         doing   mark_route
         tst     pending_top
@@ -33,36 +30,13 @@ route_triangle:
         jmp     send
 2$:     mov     #-1, t_path(r5)         ; near: walk from here on
 1$:     mov     t_path(r5), r0
-        bpl     offered
         com     r0
         bit     #7, r0
         bne     follow
         call    walk_step               ; the path is used up
         tst     r0
         bne     follow
-        cmp     draw_count, #enough
-        bhis    share
-take:   inc     draw_count
         mov     draw_list, b_link(r5)
         mov     r5, draw_list
         mov     #-1, @#io_credit
         return
-
-; In: r0 how many processors the triangle may be offered to, this one included.
-offered:
-        dec     r0
-        beq     take
-        cmp     draw_count, #enough
-        blo     take
-        br      pass_on
-
-; Where many triangles fall together, processors near by draw those beyond `enough`: they are offered to the neighbours in
-; turns. Who draws a triangle hands over the parts of its rows that others own, wherever it stands.
-share:  mov     #offers, r0
-pass_on:
-        mov     r0, t_path(r5)
-        mov     share_port, r3
-        sub     #2, share_port
-        bpl     1$
-        mov     last_port, share_port
-1$:     jmp     send
