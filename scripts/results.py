@@ -171,13 +171,15 @@ def pictures(emulator, arguments):
             for degrees, frames in ((0, 1), (6, 3)):
                 _, summary = emulator.run("geodesic482", "--compare", "--frames", str(frames), *choice,
                                           *setting(topology__b=b, topology__c=c, scene__rotate__degrees=degrees))
-                rows.append([name, f"({b}, {c})", degrees * frames, compared(summary)])
-    table(["object", "(b, c)", "turned by, degrees", "pixels within 2 grey levels of the reference, last frame"], rows)
+                rows.append([name, f"({b}, {c})", degrees * (frames - 1), *compared(summary)])
+    table(["object", "(b, c)", "turned by, degrees", "pixels within 2 grey levels, %", "of the object's pixels, %",
+           "greatest difference"], rows)
 
 
 def compared(summary):
-    lines = [line for line in summary.splitlines() if "within 2" in line]
-    return re.sub(r"\s+", " ", lines[-1].strip()) if lines else "not printed"
+    """Shares and greatest difference of the last frame."""
+    return re.findall(r"^Frame \d+ +([0-9.]+) % of all pixels and ([0-9.]+) % of .*; greatest difference (\d+)$", summary,
+                      re.MULTILINE)[-1]
 
 
 def emulated_in(summary):
