@@ -34,17 +34,7 @@ std::string read_text(const fs::path& path) {
 }
 
 void CommandLine::SetUp() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = "rasterloom-";
-    name.append(info->test_suite_name()).append("-").append(info->name());
-    std::replace(name.begin(), name.end(), '/', '-');
-    folder_ = fs::temp_directory_path() / name;
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "work");
-}
-
-void CommandLine::TearDown() {
-    fs::remove_all(folder_);
 }
 
 Finished CommandLine::rasterloom(const std::vector<std::string>& arguments) const {

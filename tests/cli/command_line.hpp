@@ -2,6 +2,8 @@
 // Runs the `rasterloom` command as a user does.
 #pragma once
 
+#include "tests/temporary_folder.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,13 +24,13 @@ std::string read_text(const std::filesystem::path& path);
 class CommandLine : public testing::Test {
   protected:
     void SetUp() override;
-    void TearDown() override;
 
     Finished rasterloom(const std::vector<std::string>& arguments) const;
     // What the command left in the folder, hidden files included.
     std::vector<std::string> files() const;
 
-    std::filesystem::path folder_;
+    TemporaryFolder temporary_;
+    std::filesystem::path folder_ = temporary_.path();
 };
 
 inline std::string program(const std::string& name) {

@@ -2,6 +2,7 @@
 #include "machine/host/mesh_file.hpp"
 
 #include "tests/host/meshes.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <fstream>
 #include <stdexcept>
@@ -20,19 +21,13 @@ using ::testing::ThrowsMessage;
 class MeshFile : public ::testing::Test {
   protected:
     std::filesystem::path write(const std::string& name, const std::string& text) {
-        const auto path = std::filesystem::path(::testing::TempDir()) / ("rasterloom-" + name);
+        const auto path = folder_.path() / ("rasterloom-" + name);
         std::ofstream(path) << text;
-        written_.push_back(path);
         return path;
     }
 
-    void TearDown() override {
-        for (const auto& path : written_)
-            std::filesystem::remove(path);
-    }
-
   private:
-    std::vector<std::filesystem::path> written_;
+    TemporaryFolder folder_;
 };
 
 constexpr const char* kPyramid =

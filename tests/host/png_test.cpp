@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/host/png.hpp"
 
+#include "tests/temporary_folder.hpp"
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,17 +21,13 @@ using ::testing::ThrowsMessage;
 
 class Png : public ::testing::Test {
   protected:
-    Png() : folder_(std::filesystem::path(::testing::TempDir()) / "rasterloom-png") {
-        std::filesystem::create_directories(folder_);
-    }
-    ~Png() override { std::filesystem::remove_all(folder_); }
-
     std::size_t files() const {
         return static_cast<std::size_t>(
             std::distance(std::filesystem::directory_iterator(folder_), {}));
     }
 
-    std::filesystem::path folder_;
+    TemporaryFolder temporary_;
+    std::filesystem::path folder_ = temporary_.path();
 };
 
 RC_GTEST_PROP(PngBytes, ComeBackAsTheyWent, ()) {

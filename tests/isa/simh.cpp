@@ -8,7 +8,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <unistd.h>
 
 namespace rasterloom::isa::testing {
 namespace {
@@ -55,18 +54,9 @@ bool SimhScript::available() {
 }
 
 SimhScript::SimhScript(const std::vector<std::uint8_t>& memory) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "simh-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-        throw std::runtime_error("cannot make " + pattern);
-    folder_ = pattern;
-    write_file(folder_ / "memory.lda", absolute_tape(memory));
+    write_file(folder_.path() / "memory.lda", absolute_tape(memory));
     text_ = "set cpu 11/40\nset cpu 64k\ndep STOP_TRAPS 0\ndep STOP_VECA 0\ndep STOP_SPA 0\nload " +
-            (folder_ / "memory.lda").string() + "\n";
-}
-
-SimhScript::~SimhScript() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
+            (folder_.path() / "memory.lda").string() + "\n";
 }
 
 void SimhScript::deposit(std::uint32_t address, std::uint16_t word) {
@@ -99,12 +89,12 @@ void SimhScript::examine(const std::vector<std::uint32_t>& addresses) {
 }
 
 std::vector<SimhState> SimhScript::run() {
-    write_file(folder_ / "script", text_ + "quit\n");
-    const std::string command = "pdp11 " + (folder_ / "script").string() + " >" +
-                                (folder_ / "out").string() + " 2>&1 </dev/null";
+    write_file(folder_.path() / "script", text_ + "quit\n");
+    const std::string command = "pdp11 " + (folder_.path() / "script").string() + " >" +
+                                (folder_.path() / "out").string() + " 2>&1 </dev/null";
     if (std::system(command.c_str()) != 0)
         throw std::runtime_error("pdp11 failed: " + command);
-    std::ifstream out(folder_ / "out");
+    std::ifstream out(folder_.path() / "out");
     std::vector<unsigned> values;
     std::string line;
     // "R0:<tab>012345" or "1000:<tab>012345"; anything else is talk.

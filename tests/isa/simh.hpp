@@ -4,10 +4,10 @@
 #pragma once
 
 #include "tests/isa/pdp11_random.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,7 +26,6 @@ class SimhScript {
 
     // The machine starts with this memory.
     explicit SimhScript(const std::vector<std::uint8_t>& memory);
-    ~SimhScript();
     SimhScript(const SimhScript&) = delete;
     SimhScript& operator=(const SimhScript&) = delete;
 
@@ -39,7 +38,7 @@ class SimhScript {
     std::vector<SimhState> run();
 
   private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     std::string text_;
     std::vector<std::size_t> counts_;  // words each examine asks for
 };

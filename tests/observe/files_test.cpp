@@ -2,6 +2,7 @@
 #include "machine/observe/message_csv.hpp"
 #include "machine/observe/statistics_files.hpp"
 #include "tests/observe/small_run.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -56,7 +57,8 @@ TEST(LinksCsv, ShowsTheShareOfTimeALinkWasBusy) {
 }
 
 TEST(MessagesCsv, WritesARowAHop) {
-    const auto path = std::filesystem::temp_directory_path() / "rasterloom-messages-test.csv";
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "messages.csv";
     MessageCsv csv(path);
     MessageRecord record;
     record.id = 42;
@@ -81,7 +83,6 @@ TEST(MessagesCsv, WritesARowAHop) {
         ++rows;
     }
     EXPECT_EQ(rows, kMany);
-    std::filesystem::remove(path);
 }
 
 TEST(MessagesCsv, SaysWhichFileItCannotWrite) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/output_folder.hpp"
 
+#include "tests/temporary_folder.hpp"
+
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -14,14 +16,6 @@ namespace fs = std::filesystem;
 
 class OutputFolderTest : public testing::Test {
   protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::temp_directory_path() / (std::string("rasterloom-output-") + info->name());
-        fs::remove_all(root_);
-        fs::create_directories(root_);
-    }
-    void TearDown() override { fs::remove_all(root_); }
-
     static void write(const fs::path& path, const std::string& text) {
         std::ofstream(path) << text;
     }
@@ -34,7 +28,8 @@ class OutputFolderTest : public testing::Test {
             std::distance(fs::directory_iterator(root_), fs::directory_iterator()));
     }
 
-    fs::path root_;
+    TemporaryFolder temporary_;
+    fs::path root_ = temporary_.path();
 };
 
 TEST_F(OutputFolderTest, LeavesNothingBehindUnlessCommitted) {

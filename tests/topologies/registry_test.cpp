@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "topologies/registry.hpp"
 
+#include "tests/temporary_folder.hpp"
 #include "topologies/nearest_name.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -26,7 +26,8 @@ std::string error_of(const std::string& kind, const Parameters& parameters,
 }
 
 TEST(TopologyRegistry, MakesEveryKindItLists) {
-    const std::string path = ::testing::TempDir() + "registry_test_graph.txt";
+    const TemporaryFolder folder;
+    const std::string path = (folder.path() / "graph.txt").string();
     std::ofstream(path) << "<graphml><graph><node id='a'/></graph></graphml>";
     for (const TopologyKind& kind : topology_kinds()) {
         Parameters parameters;
@@ -39,7 +40,6 @@ TEST(TopologyRegistry, MakesEveryKindItLists) {
     }
     std::ofstream(path) << "a b\n";
     EXPECT_EQ(make_topology("edge_list", {{"file", path}}).nodes.size(), 2U);
-    std::remove(path.c_str());
 }
 
 TEST(TopologyRegistry, ListsKindsInAlphabeticalOrderWithSummaries) {
