@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a processor core promises to the machine around it, and the little it needs from it.
 //
-// A core is one processor's architectural state over a private memory. It knows neither time nor topology nor other
-// cores; all its mutable state is inside it. The machine lets it run for a budget of cycles; the core comes back when
-// the budget is spent or when something concerns the machine.
+// A core is one processor's architectural state over a private memory. It knows neither time nor
+// topology nor other cores; all its mutable state is inside it. The machine lets it run for a
+// budget of cycles; the core comes back when the budget is spent or when something concerns the
+// machine.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +18,14 @@ namespace rasterloom::isa {
 // Why a core came back from run() or step().
 enum class StopReason : std::uint8_t {
     budget,  // the budget is spent; the next instruction has not begun
-    io,      // the next instruction touches the I/O page; it has had no effect yet: finish it with step()
-    retry,   // step() only: a device was not ready; the instruction has had no effect, try again when it is
-    wait,    // a wait-for-interrupt instruction has completed; nothing happens until an interrupt is requested
-    halt,    // a halt instruction has completed
-    trap,    // the guest did what it may not and has no handler for: see Stop::trap
+    io,      // the next instruction touches the I/O page; it has had no effect yet: finish it with
+             // step()
+    retry,   // step() only: a device was not ready; the instruction has had no effect, try again
+             // when it is
+    wait,  // a wait-for-interrupt instruction has completed; nothing happens until an interrupt is
+           // requested
+    halt,  // a halt instruction has completed
+    trap,  // the guest did what it may not and has no handler for: see Stop::trap
 };
 
 // A guest error as a value: what the machine reports with node, cycle and source line.
@@ -34,11 +38,13 @@ struct Trap {
 
 struct Stop {
     StopReason reason = StopReason::budget;
-    std::int64_t cycles = 0;  // spent in this call; may exceed the budget by at most one instruction
+    std::int64_t cycles =
+        0;  // spent in this call; may exceed the budget by at most one instruction
     std::optional<Trap> trap;
 };
 
-// The I/O page as the machine offers it to step(). Addresses are byte addresses, values right-justified.
+// The I/O page as the machine offers it to step(). Addresses are byte addresses, values
+// right-justified.
 class Bus {
   public:
     enum class Status : std::uint8_t {
@@ -62,16 +68,19 @@ class Core {
     // Executes private instructions until a StopReason arises. Never touches the I/O page.
     virtual Stop run(std::int64_t budget_cycles) = 0;
 
-    // Executes exactly one instruction, its I/O-page accesses going to `bus`. On retry the architectural state is what
-    // it was before (auto-increments included) and no cycles are spent; a device must not change state when it answers
-    // retry, and an instruction that has already performed one I/O access may not be answered retry on a later one.
+    // Executes exactly one instruction, its I/O-page accesses going to `bus`. On retry the
+    // architectural state is what it was before (auto-increments included) and no cycles are spent;
+    // a device must not change state when it answers retry, and an instruction that has already
+    // performed one I/O access may not be answered retry on a later one.
     virtual Stop step(Bus& bus) = 0;
 
-    // An interrupt request stays pending until taken (at an instruction boundary, when the priority allows) or
-    // withdrawn. `level` and `vector` have the architecture's meaning (PDP-11: 4..7 and a vector address).
+    // An interrupt request stays pending until taken (at an instruction boundary, when the priority
+    // allows) or withdrawn. `level` and `vector` have the architecture's meaning (PDP-11: 4..7 and
+    // a vector address).
     virtual void request_interrupt(int level, std::uint32_t vector) = 0;
     virtual void withdraw_interrupt(int level, std::uint32_t vector) = 0;
-    // Whether an interrupt could be taken at all now: if not, the machine may let the core run ahead of its horizon.
+    // Whether an interrupt could be taken at all now: if not, the machine may let the core run
+    // ahead of its horizon.
     virtual bool interruptible() const = 0;
 
     virtual std::uint32_t program_counter() const = 0;
@@ -79,8 +88,8 @@ class Core {
     virtual std::uint32_t reg(int index) const = 0;  // index into Isa::register_names()
     virtual void set_reg(int index, std::uint32_t value) = 0;
 
-    // Private memory as bytes, from address 0. Direct memory access goes through these, so that a core which keeps
-    // decoded instructions notices writes into code.
+    // Private memory as bytes, from address 0. Direct memory access goes through these, so that a
+    // core which keeps decoded instructions notices writes into code.
     virtual std::span<const std::uint8_t> memory() const = 0;
     virtual void write_memory(std::uint32_t address, std::span<const std::uint8_t> bytes) = 0;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program as it is loaded into a node's memory: what the assembler makes and what raw images and a.out files hold.
+// A program as it is loaded into a node's memory: what the assembler makes and what raw images and
+// a.out files hold.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +28,11 @@ struct Segment {
 };
 
 struct Image {
-    std::string name;              // file name, for messages
-    std::uint32_t entry = 0;       // byte address of the first instruction
+    std::string name;               // file name, for messages
+    std::uint32_t entry = 0;        // byte address of the first instruction
     std::vector<Segment> segments;  // ascending, not overlapping
     std::map<std::string, std::uint32_t, std::less<>> symbols;  // labels and assigned symbols
-    std::map<std::uint32_t, SourceLocation> lines;               // first byte of each statement's output
+    std::map<std::uint32_t, SourceLocation> lines;  // first byte of each statement's output
 
     std::optional<std::uint32_t> symbol(std::string_view symbol_name) const {
         const auto found = symbols.find(symbol_name);

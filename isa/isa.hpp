@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The contract of an instruction set: what it supplies so that assembler, disassembler, documentation and machine work
-// with it. One table of rows feeds them all. docs/adding-an-isa.md walks through an example.
+// The contract of an instruction set: what it supplies so that assembler, disassembler,
+// documentation and machine work with it. One table of rows feeds them all. docs/adding-an-isa.md
+// walks through an example.
 #pragma once
+
+#include "isa/core.hpp"
+#include "isa/image.hpp"
 
 #include <cstdint>
 #include <map>
@@ -10,9 +14,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "isa/core.hpp"
-#include "isa/image.hpp"
 
 namespace rasterloom::isa {
 
@@ -23,8 +24,8 @@ struct InstructionRow {
     std::uint32_t mask = 0;   // bits of the first word that identify the instruction
     std::uint32_t match = 0;  // their values
     std::string_view mnemonic;
-    int format = 0;     // which operands, and where they stand
-    int operation = 0;  // which semantics
+    int format = 0;            // which operands, and where they stand
+    int operation = 0;         // which semantics
     std::string_view summary;  // one line for documentation
 };
 
@@ -76,21 +77,26 @@ class Isa {
     virtual ~Isa() = default;
     virtual std::string_view name() const = 0;
     virtual std::string_view summary() const = 0;
-    virtual int word_bits() const = 0;     // of an instruction word: 8, 16, 32
-    virtual int address_bits() const = 0;  // of a byte address
+    virtual int word_bits() const = 0;                // of an instruction word: 8, 16, 32
+    virtual int address_bits() const = 0;             // of a byte address
     virtual std::uint32_t private_bytes() const = 0;  // memory below the I/O page
     virtual std::span<const std::string_view> register_names() const = 0;
     virtual std::span<const InstructionRow> instructions() const = 0;
     virtual std::span<const CostModelInfo> cost_models() const = 0;
     virtual const Syntax& syntax() const = 0;  // operands to and from text: isa/syntax.hpp
 
-    // Throws std::invalid_argument, naming the model or parameter and the valid ones, when the choice is not known.
-    virtual std::shared_ptr<const PreparedProgram> prepare(const Image& image, const CostChoice& cost) const = 0;
-    // A core with the program loaded and its program counter at the entry. `program` must come from this ISA's prepare.
+    // Throws std::invalid_argument, naming the model or parameter and the valid ones, when the
+    // choice is not known.
+    virtual std::shared_ptr<const PreparedProgram> prepare(const Image& image,
+                                                           const CostChoice& cost) const = 0;
+    // A core with the program loaded and its program counter at the entry. `program` must come from
+    // this ISA's prepare.
     virtual std::unique_ptr<Core> make_core(std::shared_ptr<const PreparedProgram> program,
                                             const CoreOptions& options) const = 0;
-    // Cost of the instruction at the start of `words`, for listings. Empty for a word that is no instruction.
-    virtual std::optional<InstructionCost> cost_of(std::span<const std::uint16_t> words, const CostChoice& cost) const = 0;
+    // Cost of the instruction at the start of `words`, for listings. Empty for a word that is no
+    // instruction.
+    virtual std::optional<InstructionCost> cost_of(std::span<const std::uint16_t> words,
+                                                   const CostChoice& cost) const = 0;
 };
 
 }  // namespace rasterloom::isa

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Source: DEC, PDP-11/40 Processor Handbook (1972), chapter 4, with the Extended Instruction Set option KE11-E.
+// Source: DEC, PDP-11/40 Processor Handbook (1972), chapter 4, with the Extended Instruction Set
+// option KE11-E.
 #include "isa/pdp11/instruction_table.hpp"
 
 #include <array>
@@ -9,8 +10,8 @@
 namespace rasterloom::isa::pdp11 {
 namespace {
 
-constexpr InstructionRow row(std::uint32_t mask, std::uint32_t match, std::string_view mnemonic, Format format,
-                             Operation operation, std::string_view summary) {
+constexpr InstructionRow row(std::uint32_t mask, std::uint32_t match, std::string_view mnemonic,
+                             Format format, Operation operation, std::string_view summary) {
     return {mask, match, mnemonic, static_cast<int>(format), static_cast<int>(operation), summary};
 }
 
@@ -38,7 +39,8 @@ constexpr std::array kRows = {
     row(0177777, 0000264, "sez", none, O::condition_codes, "set Z"),
     row(0177777, 0000270, "sen", none, O::condition_codes, "set N"),
     row(0177777, 0000277, "scc", none, O::condition_codes, "set all condition codes"),
-    row(0177740, 0000240, "ccodes", condition, O::condition_codes, "clear or set the selected condition codes"),
+    row(0177740, 0000240, "ccodes", condition, O::condition_codes,
+        "clear or set the selected condition codes"),
     row(0177700, 0000300, "swab", single, O::swab, "swap bytes"),
     row(0177400, 0000400, "br", branch, O::br, "branch"),
     row(0177400, 0001000, "bne", branch, O::bne, "branch if not equal"),
@@ -68,10 +70,13 @@ constexpr std::array kRows = {
     row(0170000, 0040000, "bic", twofold, O::bic, "clear bits"),
     row(0170000, 0050000, "bis", twofold, O::bis, "set bits"),
     row(0170000, 0060000, "add", twofold, O::add, "add"),
-    row(0177000, 0070000, "mul", register_src, O::mul, "multiply: 32-bit product in an even register and the next"),
-    row(0177000, 0071000, "div", register_src, O::div, "divide the 32-bit dividend in an even register and the next"),
+    row(0177000, 0070000, "mul", register_src, O::mul,
+        "multiply: 32-bit product in an even register and the next"),
+    row(0177000, 0071000, "div", register_src, O::div,
+        "divide the 32-bit dividend in an even register and the next"),
     row(0177000, 0072000, "ash", register_src, O::ash, "shift by -32 to 31 places"),
-    row(0177000, 0073000, "ashc", register_src, O::ashc, "shift a register pair by -32 to 31 places"),
+    row(0177000, 0073000, "ashc", register_src, O::ashc,
+        "shift a register pair by -32 to 31 places"),
     row(0177000, 0074000, "xor", register_dst, O::xor_, "exclusive or"),
     row(0177000, 0077000, "sob", Format::sob, O::sob, "subtract one and branch if not zero"),
     row(0177400, 0100000, "bpl", branch, O::bpl, "branch if plus"),
@@ -96,7 +101,8 @@ constexpr std::array kRows = {
     row(0177700, 0106100, "rolb", single, O::rolb, "rotate byte left through C"),
     row(0177700, 0106200, "asrb", single, O::asrb, "arithmetic shift of a byte right"),
     row(0177700, 0106300, "aslb", single, O::aslb, "arithmetic shift of a byte left"),
-    row(0170000, 0110000, "movb", twofold, O::movb, "move byte; into a register it extends the sign"),
+    row(0170000, 0110000, "movb", twofold, O::movb,
+        "move byte; into a register it extends the sign"),
     row(0170000, 0120000, "cmpb", twofold, O::cmpb, "compare bytes"),
     row(0170000, 0130000, "bitb", twofold, O::bitb, "test bits of a byte"),
     row(0170000, 0140000, "bicb", twofold, O::bicb, "clear bits of a byte"),
@@ -113,7 +119,8 @@ struct Lookup {
         for (unsigned word = 0; word < index.size(); ++word) {
             int best = -1;
             for (std::size_t i = 0; i < kRows.size(); ++i) {
-                if ((word & kRows[i].mask) == kRows[i].match && std::popcount(kRows[i].mask) > best) {
+                if ((word & kRows[i].mask) == kRows[i].match &&
+                    std::popcount(kRows[i].mask) > best) {
                     best = std::popcount(kRows[i].mask);
                     index[word] = static_cast<std::uint8_t>(i + 1);
                 }

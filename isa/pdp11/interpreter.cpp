@@ -316,25 +316,26 @@ bool Interpreter::execute(unsigned word) {
     switch (op) {
         RASTERLOOM_BRANCH(br)
         RASTERLOOM_BRANCH(bne)
-        RASTERLOOM_BRANCH(beq) RASTERLOOM_BRANCH(bge) RASTERLOOM_BRANCH(blt) RASTERLOOM_BRANCH(
-            bgt) RASTERLOOM_BRANCH(ble) RASTERLOOM_BRANCH(bpl) RASTERLOOM_BRANCH(bmi)
-            RASTERLOOM_BRANCH(bhi) RASTERLOOM_BRANCH(blos) RASTERLOOM_BRANCH(bvc) RASTERLOOM_BRANCH(
-                bvs) RASTERLOOM_BRANCH(bcc) RASTERLOOM_BRANCH(bcs) RASTERLOOM_SINGLE(swab)
-                RASTERLOOM_SINGLE(sxt) RASTERLOOM_SINGLE(clr) RASTERLOOM_SINGLE(
-                    com) RASTERLOOM_SINGLE(inc) RASTERLOOM_SINGLE(dec) RASTERLOOM_SINGLE(neg)
-                    RASTERLOOM_SINGLE(adc) RASTERLOOM_SINGLE(sbc) RASTERLOOM_SINGLE(
-                        tst) RASTERLOOM_SINGLE(ror) RASTERLOOM_SINGLE(rol) RASTERLOOM_SINGLE(asr)
-                        RASTERLOOM_SINGLE(asl) RASTERLOOM_SINGLE(clrb) RASTERLOOM_SINGLE(comb)
-                            RASTERLOOM_SINGLE(incb) RASTERLOOM_SINGLE(decb) RASTERLOOM_SINGLE(negb)
-                                RASTERLOOM_SINGLE(adcb) RASTERLOOM_SINGLE(sbcb) RASTERLOOM_SINGLE(
-                                    tstb) RASTERLOOM_SINGLE(rorb) RASTERLOOM_SINGLE(rolb)
-                                    RASTERLOOM_SINGLE(asrb) RASTERLOOM_SINGLE(aslb)
-                                        RASTERLOOM_TWOFOLD(mov) RASTERLOOM_TWOFOLD(cmp)
-                                            RASTERLOOM_TWOFOLD(bit) RASTERLOOM_TWOFOLD(bic)
-                                                RASTERLOOM_TWOFOLD(bis) RASTERLOOM_TWOFOLD(add)
-                                                    RASTERLOOM_TWOFOLD(sub) RASTERLOOM_TWOFOLD(movb)
-                                                        RASTERLOOM_TWOFOLD(cmpb) RASTERLOOM_TWOFOLD(
-                                                            bitb) RASTERLOOM_TWOFOLD(bicb)
+        RASTERLOOM_BRANCH(beq)
+        RASTERLOOM_BRANCH(bge) RASTERLOOM_BRANCH(blt) RASTERLOOM_BRANCH(bgt) RASTERLOOM_BRANCH(
+            ble) RASTERLOOM_BRANCH(bpl) RASTERLOOM_BRANCH(bmi) RASTERLOOM_BRANCH(bhi)
+            RASTERLOOM_BRANCH(blos) RASTERLOOM_BRANCH(bvc) RASTERLOOM_BRANCH(bvs) RASTERLOOM_BRANCH(
+                bcc) RASTERLOOM_BRANCH(bcs) RASTERLOOM_SINGLE(swab) RASTERLOOM_SINGLE(sxt)
+                RASTERLOOM_SINGLE(clr) RASTERLOOM_SINGLE(com) RASTERLOOM_SINGLE(
+                    inc) RASTERLOOM_SINGLE(dec) RASTERLOOM_SINGLE(neg) RASTERLOOM_SINGLE(adc)
+                    RASTERLOOM_SINGLE(sbc) RASTERLOOM_SINGLE(tst) RASTERLOOM_SINGLE(
+                        ror) RASTERLOOM_SINGLE(rol) RASTERLOOM_SINGLE(asr) RASTERLOOM_SINGLE(asl)
+                        RASTERLOOM_SINGLE(clrb) RASTERLOOM_SINGLE(comb) RASTERLOOM_SINGLE(incb)
+                            RASTERLOOM_SINGLE(decb) RASTERLOOM_SINGLE(negb) RASTERLOOM_SINGLE(
+                                adcb) RASTERLOOM_SINGLE(sbcb) RASTERLOOM_SINGLE(tstb)
+                                RASTERLOOM_SINGLE(rorb) RASTERLOOM_SINGLE(rolb) RASTERLOOM_SINGLE(
+                                    asrb) RASTERLOOM_SINGLE(aslb) RASTERLOOM_TWOFOLD(mov)
+                                    RASTERLOOM_TWOFOLD(cmp) RASTERLOOM_TWOFOLD(bit)
+                                        RASTERLOOM_TWOFOLD(bic) RASTERLOOM_TWOFOLD(bis)
+                                            RASTERLOOM_TWOFOLD(add) RASTERLOOM_TWOFOLD(sub)
+                                                RASTERLOOM_TWOFOLD(movb) RASTERLOOM_TWOFOLD(cmpb)
+                                                    RASTERLOOM_TWOFOLD(bitb)
+                                                        RASTERLOOM_TWOFOLD(bicb)
                                                             RASTERLOOM_TWOFOLD(bisb) case xor_
             : return exclusive_or(word);
         case mul:

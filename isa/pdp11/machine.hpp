@@ -73,7 +73,8 @@ struct Machine {
     std::array<std::uint8_t, kIoPage + 8> memory;
 
     std::uint16_t status_word() const {
-        return static_cast<std::uint16_t>(flags.codes() | (trace ? 020U : 0U) | (unsigned{priority} << 5));
+        return static_cast<std::uint16_t>(flags.codes() | (trace ? 020U : 0U) |
+                                          (unsigned{priority} << 5));
     }
     void set_status_word(unsigned value) {
         if ((value & 0177400U) != 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An object as the geodesic machine holds it (Strothotte 1981, 5.1.2): one facet a processor, and on each facet's radial
-// line the crossings with the object's surface, linked into triangles with the crossings of the neighbouring facets.
+// An object as the geodesic machine holds it (Strothotte 1981, 5.1.2): one facet a processor, and
+// on each facet's radial line the crossings with the object's surface, linked into triangles with
+// the crossings of the neighbouring facets.
 #pragma once
 
 #include <array>
@@ -12,8 +13,9 @@
 namespace rasterloom::host {
 
 struct Crossing {
-    double radius = 0;   // 0 < radius <= 1, from the sphere's centre
-    glm::dvec3 normal;   // unit, pointing out of the object, in the object's own (unrotated) coordinates
+    double radius = 0;  // 0 < radius <= 1, from the sphere's centre
+    glm::dvec3
+        normal;  // unit, pointing out of the object, in the object's own (unrotated) coordinates
 };
 
 inline constexpr int kMaxCrossings = 8;  // of a facet
@@ -25,8 +27,8 @@ struct FacetModel {
         friend bool operator==(const Corner&, const Corner&) = default;
     };
     std::vector<std::vector<Crossing>> crossings;  // crossings[facet], from the outermost inwards
-    // Surface patches, counter-clockwise seen from outside the object. A patch's facets are mutually adjacent; two of
-    // its corners may stand on the same facet.
+    // Surface patches, counter-clockwise seen from outside the object. A patch's facets are
+    // mutually adjacent; two of its corners may stand on the same facet.
     std::vector<std::array<Corner, 3>> triangles;
 };
 

@@ -40,7 +40,8 @@ void MessagePorts::enqueue(int port_number, std::span<const std::uint8_t> bytes,
     message.source = node_;
     message.port = static_cast<std::uint8_t>(port_number);
     if (message.bytes.capacity() < bytes.size()) {
-        message.bytes.reserve(std::bit_ceil(bytes.size()));  // the place is used again, for other lengths
+        message.bytes.reserve(
+            std::bit_ceil(bytes.size()));  // the place is used again, for other lengths
     }
     message.bytes.assign(bytes.begin(), bytes.end());
     message.queued = now;

@@ -42,8 +42,8 @@ struct LinkReport {
 // (links.time_per_message above zero and links.time_per_byte zero): round r lasts from r to r + 1
 // such times after the phase began.
 struct RoundsReport {
-    // Until the last message has arrived, the round that finds it arrived included: one more than its
-    // route where nothing delays it (Strothotte 1981, 5.2.1). 0 when there was no message.
+    // Until the last message has arrived, the round that finds it arrived included: one more than
+    // its route where nothing delays it (Strothotte 1981, 5.2.1). 0 when there was no message.
     std::int64_t rounds = 0;
     std::vector<std::int64_t> senders;  // [round]: nodes that began to send in it
 };

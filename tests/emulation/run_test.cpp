@@ -11,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 namespace rasterloom::emulation {
 namespace {
 
@@ -118,10 +117,9 @@ TEST(Run, CountsRoundsWhereAMessageTakesOne) {
 TEST(Run, RotatesTheSphereInThePublishedRounds) {
     const std::vector<std::array<std::int64_t, 3>> published{{6, 1, 2}, {30, 3, 5}, {180, 20, 26}};
     for (const auto& [degrees, longest, rounds] : published) {
-        const RunOutcome outcome =
-            run_machine(shipped("geodesic482-rounds.yaml",
-                                {"scene.rotate.start=" + std::to_string(degrees)}),
-                        {});
+        const RunOutcome outcome = run_machine(
+            shipped("geodesic482-rounds.yaml", {"scene.rotate.start=" + std::to_string(degrees)}),
+            {});
         ASSERT_EQ(outcome.failure, "");
         const observe::PhaseReport& rotate = outcome.report.phases.at(0);
         EXPECT_EQ(rotate.longest_route, longest) << degrees;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shared objects the registry must refuse: with OLD_PLUGIN one of another version, else one that is no plug-in at all.
+// Shared objects the registry must refuse: with OLD_PLUGIN one of another version, else one that is
+// no plug-in at all.
 #include "isa/plugin.hpp"
 
 #ifdef OLD_PLUGIN
