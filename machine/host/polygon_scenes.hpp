@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Scenes as lists of screen polygons, for the machines that draw polygons one after the other
+// (Parks 1982, 4.2): by name, a frame at a time.
+#pragma once
+
+#include "machine/fabric/polygon.hpp"
+#include "machine/host/mesh.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rasterloom::host {
+
+struct PolygonSceneOptions {
+    int width = 512;
+    int height = 512;
+    std::int64_t frame = 0;   // 0 to frames - 1
+    std::int64_t frames = 1;  // along the scene's path; a scene without a path stands still
+    const Mesh* model =
+        nullptr;               // in place of the scene's own shuttle, oriented (+z up, front to -x)
+    std::uint64_t seed = 1;    // of scenes that are random
+    std::int64_t count = 500;  // polygons, likewise
+};
+
+struct PolygonScene {
+    const char* name;
+    const char* summary;
+    bool takes_model;
+    int background;  // grey level
+    std::vector<Polygon> (*make)(const PolygonSceneOptions&);
+};
+
+// runway, airport, shuttle_profile, cargo_bay, random_polygons
+std::span<const PolygonScene> polygon_scenes();
+
+// None for an unknown name.
+const PolygonScene* find_polygon_scene(const std::string& name);
+
+}  // namespace rasterloom::host
