@@ -9,8 +9,6 @@ Each table runs `rasterloom` on the shipped configurations; nothing is computed 
 not there are left out, and the table says so.
 """
 
-import argparse
-import csv
 import json
 import os
 import re
@@ -20,48 +18,9 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from measuring import ROOT, plot_figure, print_tables, setting, table
+
 MODELS = ["beethoven.ply", "bunny.obj", "shuttle.obj"]
-
-
-class Emulator:
-    """The command, run from the project's root."""
-
-    def __init__(self, binary):
-        self.binary = Path(binary)
-        if not self.binary.is_absolute():
-            self.binary = ROOT / self.binary
-        if not self.binary.exists():
-            sys.exit(f"results.py: {self.binary} is not there: build it with scripts/demo.sh")
-
-    def text(self, *arguments):
-        done = subprocess.run([self.binary, *arguments], cwd=ROOT, capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"results.py: rasterloom {' '.join(arguments)} failed:\n{done.stderr}")
-        return done.stdout
-
-    def run(self, config, *arguments, records=None):
-        """One run: its statistics and its printed summary; the rows of the CSV files go to the dict `records`."""
-        with tempfile.TemporaryDirectory() as folder:
-            out = Path(folder) / "out"
-            summary = self.text("run", f"configs/{config}.yaml", "--out", str(out), *arguments)
-            if records is not None:
-                for name in ("nodes", "messages"):
-                    with open(out / f"{name}.csv", newline="") as file:
-                        records[name] = list(csv.DictReader(file))
-            return json.loads((out / "statistics.json").read_text()), summary
-
-
-def setting(**values):
-    return [part for name, value in values.items() for part in ("--set", f"{name.replace('__', '.')}={value}")]
-
-
-def table(head, rows):
-    print("| " + " | ".join(head) + " |")
-    print("|" + "---|" * len(head))
-    for row in rows:
-        print("| " + " | ".join(str(cell) for cell in row) + " |")
-    print()
 
 
 def phase(statistics, name, frame=None):
@@ -109,7 +68,7 @@ def rounds(emulator, arguments):
     table(["what", "routing", "longest route", "published", "rounds", "published", "busiest sender (messages)",
            "processors that send, % a round"], rows)
     if arguments.plots:
-        plot(curves, Path(arguments.plots))
+        plot(curves, arguments.plots)
 
 
 def shares(utilisation):
@@ -119,22 +78,15 @@ def shares(utilisation):
 
 
 def plot(curves, folder):
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-    folder.mkdir(parents=True, exist_ok=True)
     for routing in ("small_circle", "great_circle"):
-        figure, axes = pyplot.subplots(figsize=(7, 4))
-        for label, utilisation in curves.items():
-            if label.endswith(routing):
-                axes.plot(range(1, len(utilisation) + 1), [100 * u for u in utilisation], label=label.split(", " + routing)[0])
-        axes.set_xlabel("round")
-        axes.set_ylabel("processors that send, %")
-        axes.set_title(f"Utilisation a round, {routing.replace('_', '-')} routing (compare Strothotte 1981, figures 18, 20-23)")
-        axes.title.set_fontsize(9)
-        axes.legend(fontsize=8)
-        axes.grid(alpha=0.3)
-        figure.savefig(folder / f"rounds-{routing}.png", dpi=110, bbox_inches="tight")
+        def draw(axes, routing=routing):
+            for label, utilisation in curves.items():
+                if label.endswith(routing):
+                    axes.plot(range(1, len(utilisation) + 1), [100 * u for u in utilisation],
+                              label=label.split(", " + routing)[0])
+        plot_figure(folder / f"rounds-{routing}.png", draw,
+                    f"Utilisation a round, {routing.replace('_', '-')} routing (compare Strothotte 1981, figures 18, 20-23)",
+                    "round", "processors that send, %")
 
 
 # Strothotte 1981, 5.3.5: p = 482, m = 1, two crossings, 6 degrees, half of the screen, 500 triangles.
@@ -229,18 +181,5 @@ def measured(emulator, *arguments):
 TABLES = {"graph": graph, "rounds": rounds, "frame": frame, "pictures": pictures, "speed": speed, "scaling": scaling}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("table", choices=[*TABLES, "all"])
-    parser.add_argument("--rasterloom", default="build/release/rasterloom")
-    parser.add_argument("--models", default="../shared/models")
-    parser.add_argument("--plots", help="folder for plots of the rounds")
-    arguments = parser.parse_args()
-    emulator = Emulator(arguments.rasterloom)
-    for name in TABLES if arguments.table == "all" else [arguments.table]:
-        print(f"## {name}\n")
-        TABLES[name](emulator, arguments)
-
-
 if __name__ == "__main__":
-    main()
+    print_tables(__doc__, TABLES)
