@@ -68,13 +68,66 @@ Topology make_grid(Topology (*make)(int, int), const Parameters& p) {
     return make(whole_number(p, "width"), whole_number(p, "height"));
 }
 
+Topology make_tiling(const std::string& kind, const Tiling& tiling) {
+    check_tiling(tiling);
+    Topology t;
+    t.kind = kind;
+    t.tiling = tiling;
+    t.nodes.resize(static_cast<std::size_t>(tiling.processors()));
+    for (std::size_t node = 0; node < t.nodes.size(); ++node) {
+        t.nodes[node].name = fmt::format("P{}", node);
+    }
+    t.ports.resize(t.nodes.size());
+    return t;
+}
+
+// Parks' machines (Parks 1982, chapter 3).
+std::vector<TopologyKind> tiling_kinds() {
+    const auto sides = [](const char* columns, const char* rows) {
+        return std::vector<ParameterInfo>{{"columns", columns, std::nullopt},
+                                          {"rows", rows, std::nullopt}};
+    };
+    std::vector<ParameterInfo> hybrid = sides("parts side by side", "parts one above the other");
+    hybrid.push_back({"interlace_columns", "processors that share a part's lines", std::nullopt});
+    hybrid.push_back({"interlace_rows", "processors that share its columns", std::nullopt});
+    return {
+        {"hybrid",
+         "a tree of polygon splitters whose leaves are groups of processors that share a part of "
+         "the screen pixel by pixel",
+         hybrid,
+         [](const Parameters& p) {
+             return make_tiling("hybrid", {whole_number(p, "columns"), whole_number(p, "rows"),
+                                           whole_number(p, "interlace_columns"),
+                                           whole_number(p, "interlace_rows")});
+         }},
+        {"interlace",
+         "every polygon to all processors; pixel (x, y) belongs to (x mod columns, y mod rows)",
+         sides("processors that share a line", "processors that share a column"),
+         [](const Parameters& p) {
+             return make_tiling("interlace",
+                                {1, 1, whole_number(p, "columns"), whole_number(p, "rows")});
+         }},
+        {"splitter_tree",
+         "a binary tree of polygon splitters, a processor and a block of the screen at each leaf",
+         sides("blocks side by side", "blocks one above the other"),
+         [](const Parameters& p) {
+             return make_tiling("splitter_tree",
+                                {whole_number(p, "columns"), whole_number(p, "rows"), 1, 1});
+         }},
+        {"uniprocessor",
+         "one processor that draws all polygons",
+         {},
+         [](const Parameters&) { return make_tiling("uniprocessor", {}); }},
+    };
+}
+
 }  // namespace
 
 std::vector<TopologyKind> topology_kinds() {
     const std::vector<ParameterInfo> file{{"file", "path of the file", std::nullopt}};
     const std::vector<ParameterInfo> sides{{"width", "nodes in a row", std::nullopt},
                                            {"height", "number of rows", std::nullopt}};
-    return {
+    std::vector<TopologyKind> kinds{
         {"edge_list", "graph from a text file, one link 'a b' a line", file,
          [](const Parameters& p) { return edge_list_file(p.at("file")); }},
         {"geodesic",
@@ -95,6 +148,12 @@ std::vector<TopologyKind> topology_kinds() {
         {"torus", "a grid whose opposite sides are joined", sides,
          [](const Parameters& p) { return make_grid(torus, p); }},
     };
+    for (TopologyKind& kind : tiling_kinds()) {
+        kinds.push_back(std::move(kind));
+    }
+    std::sort(kinds.begin(), kinds.end(),
+              [](const TopologyKind& a, const TopologyKind& b) { return a.name < b.name; });
+    return kinds;
 }
 
 Topology make_topology(const std::string& kind, const Parameters& parameters) {

@@ -6,10 +6,11 @@
 // and 4.6).
 #pragma once
 
-#include "topologies/topology.hpp"
+#include "topologies/node_index.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -49,7 +50,7 @@ struct Distribution {
         std::size_t low = 0;
         std::size_t high = 0;
     };
-    // Every polygon goes to all of them.
+    // Every polygon goes to all of them; they have no elements of their own.
     struct Broadcast {
         std::vector<NodeIndex> processors;
     };
@@ -67,12 +68,35 @@ struct Distribution {
     std::vector<Element> elements;
 };
 
+inline constexpr int kMaxTilingSide = 4096;         // of any of a tiling's four numbers
+inline constexpr int kMaxTilingProcessors = 65536;  // what a node's 16-bit number can name
+
+// A screen that cannot be dealt out evenly along one axis.
+class TilingError : public std::invalid_argument {
+  public:
+    TilingError(CutAxis axis, const std::string& message)
+        : std::invalid_argument(message), axis_(axis) {}
+    CutAxis axis() const { return axis_; }
+
+  private:
+    CutAxis axis_;
+};
+
 // Processors are numbered part by part, the parts from left to right and then upwards (Parks'
 // figure 7), within a part likewise (figure 11): part * interlaced() + (x mod interlace_columns) +
 // interlace_columns * (y mod interlace_rows). The tree halves the parts, along x first and then by
 // turns, where there is something to halve; an odd number of parts gives the lower side one less.
-// Throws std::invalid_argument, saying what was expected, when a number is below 1 or the screen
-// cannot be dealt out evenly.
+// Elements: the splitters level by level, splitter/0 first, then the parts: bus/<part> where
+// several processors share one, else the processor's leaf. Throws std::invalid_argument when a
+// number is out of range, TilingError, saying what was expected, when the screen cannot be dealt
+// out evenly.
 Distribution distribute(const Tiling& tiling, int width, int height);
+
+// Throws std::invalid_argument when one of the numbers is below 1 or above kMaxTilingSide, or the
+// processors are more than kMaxTilingProcessors.
+void check_tiling(const Tiling& tiling);
+
+// Splitters on the way from the host to the deepest part; 0 without any.
+int tree_depth(const Distribution& distribution);
 
 }  // namespace rasterloom::topology

@@ -3,14 +3,16 @@
 // nodes stand.
 #pragma once
 
+#include "topologies/node_index.hpp"
+#include "topologies/tiling.hpp"
+
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rasterloom::topology {
-
-using NodeIndex = std::uint32_t;
 
 // A binary angle: 65536 units are a full turn, so that 16-bit arithmetic wraps as angles do.
 using Angle16 = std::uint16_t;
@@ -33,6 +35,9 @@ struct Topology {
         ports;  // ports[n][k]: the node at the other end of n's port k
     // Geodesic only: mutually adjacent nodes, counter-clockwise seen from outside the sphere.
     std::vector<std::array<NodeIndex, 3>> triangles;
+    // Parks' machines only: the nodes, "P0" and so on, have no ports among themselves but shares of
+    // the screen.
+    std::optional<Tiling> tiling;
 };
 
 }  // namespace rasterloom::topology
