@@ -26,6 +26,7 @@ enum class StopReason : std::uint8_t {
            // requested
     halt,  // a halt instruction has completed
     trap,  // the guest did what it may not and has no handler for: see Stop::trap
+    tap,   // run() only: the instruction at a tapped address comes next; it has not begun
 };
 
 // A guest error as a value: what the machine reports with node, cycle and source line.
@@ -94,6 +95,16 @@ class Core {
     virtual void write_memory(std::uint32_t address, std::span<const std::uint8_t> bytes) = 0;
 
     virtual std::int64_t instructions_retired() const = 0;
+
+    // Taps: places of the program where the machine wants to look at registers and memory. Each
+    // time the instruction at one of these addresses is about to begin (no interrupt goes before
+    // it, the budget is not spent), run() comes back with StopReason::tap, which takes no cycles;
+    // the next run() or step() passes over it. step() heeds no taps. An interrupt requested between
+    // the two goes first, and the tap is told of again when the handler returns to it. Nothing else
+    // changes, and without taps run() is as fast as ever. Replaces the taps set before; to be
+    // called between runs. Throws std::invalid_argument for an address at which no instruction of
+    // private memory can begin.
+    virtual void set_taps(std::span<const std::uint32_t> addresses) = 0;
 };
 
 }  // namespace rasterloom::isa

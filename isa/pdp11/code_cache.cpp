@@ -49,7 +49,7 @@ const Entry* CodeCache::enter(std::uint16_t address) {
     const std::uint32_t number = index / kBlockWords;
     if (m_.blocks[number] == nullptr) {
         const Block* shared = program_.block(number);
-        if (shared != nullptr && matches_program(number)) {
+        if (shared != nullptr && !has_taps(number) && matches_program(number)) {
             m_.blocks[number] = shared->entries.data();
             const std::uint32_t first = number * kBlockWords;
             for (std::uint32_t i = first; i < first + kBlockWords + kLongest; ++i) {
@@ -64,9 +64,14 @@ const Entry* CodeCache::enter(std::uint16_t address) {
 }
 
 void CodeCache::place(Block& block, std::uint32_t index) {
+    if (is_tapped(index)) {
+        block.entries[index % kBlockWords] = tapped_entry(index);
+        return;
+    }
     const CodeView view{m_.memory, m_.memory_words, &program_.costs()};
     const Decoded alone = decode_instruction(view, index);
-    const Decoded decoded = decode_fused(view, index);
+    const bool before_tap = is_tapped(index + static_cast<std::uint32_t>(alone.words));
+    const Decoded decoded = before_tap ? alone : decode_fused(view, index);
     block.entries[index % kBlockWords] = decoded.entry;
     const auto words = static_cast<std::uint32_t>(decoded.words);
     for (std::uint32_t i = index; i < index + words; ++i)
@@ -102,6 +107,35 @@ void CodeCache::written(std::uint32_t index) {
     if (within < kLongest - 1 && number > 0) {
         forget_from(number - 1, kBlockWords - (kLongest - 1 - within), kBlockWords - 1);
     }
+}
+
+bool CodeCache::has_taps(std::uint32_t number) const {
+    for (std::uint32_t i = number * kBlockWords; i < (number + 1) * kBlockWords; ++i) {
+        if (is_tapped(i))
+            return true;
+    }
+    return false;
+}
+
+// It is found or decoded anew when it is next entered.
+void CodeCache::forget_block(std::uint32_t number) {
+    m_.blocks[number] = nullptr;
+    if (!own_.empty())
+        own_[number].reset();
+}
+
+void CodeCache::set_taps(std::span<const std::uint32_t> addresses) {
+    const auto forget_tapped_blocks = [this] {
+        for (std::uint32_t number = 0; number < kBlocks; ++number) {
+            if (has_taps(number))
+                forget_block(number);
+        }
+    };
+    forget_tapped_blocks();
+    taps_.assign(addresses.empty() ? 0 : m_.memory_words, false);
+    for (const std::uint32_t address : addresses)
+        taps_[address / 2] = true;
+    forget_tapped_blocks();
 }
 
 std::size_t CodeCache::own_blocks() const {

@@ -73,7 +73,11 @@ Stop Pdp11Core::run(std::int64_t budget_cycles) {
             exit = take_interrupt(cycles);
         } else if (waiting_) {
             return stop(Exit::wait, cycles);
-        } else if (m_->trace || Machine::word_index(m_->r[kProgramCounter]) >= m_->memory_words) {
+        } else if (tap_due()) {
+            tap_told_ = true;
+            return {StopReason::tap, cycles, std::nullopt};
+        } else if (tap_told_ || m_->trace ||
+                   Machine::word_index(m_->r[kProgramCounter]) >= m_->memory_words) {
             exit = step_privately(cycles);
         } else {
             exit = run_chunk(std::min(budget_cycles - cycles, kChunk), cycles);
@@ -98,6 +102,7 @@ Exit Pdp11Core::step_privately(std::int64_t& cycles) {
     const Interpreter::Outcome outcome = Interpreter(*m_).step();
     if (outcome.exit == Exit::io)
         return Exit::io;
+    tap_told_ = false;
     cycles += outcome.cycles;
     ++retired_;
     if (outcome.cycles == 0 && --m_->free_branches <= 0)
@@ -114,6 +119,7 @@ Exit Pdp11Core::take_interrupt(std::int64_t& cycles) {
     requests_.erase(first);
     update_requested();
     waiting_ = false;
+    tap_told_ = false;
     cycles += outcome.cycles;
     return outcome.exit;
 }
@@ -129,6 +135,7 @@ Stop Pdp11Core::step(Bus& bus) {
     const Interpreter::Outcome outcome = Interpreter(*m_, &bus).step();
     if (outcome.exit == Exit::io)
         return {StopReason::retry, 0, std::nullopt};
+    tap_told_ = false;
     ++retired_;
     return stop(outcome.exit, outcome.cycles);
 }
@@ -191,6 +198,7 @@ void Pdp11Core::update_requested() {
 void Pdp11Core::set_program_counter(std::uint32_t address) {
     m_->r[kProgramCounter] = static_cast<std::uint16_t>(address);
     waiting_ = false;
+    tap_told_ = false;
 }
 
 std::uint32_t Pdp11Core::reg(int index) const {
@@ -204,6 +212,8 @@ void Pdp11Core::set_reg(int index, std::uint32_t value) {
         m_->set_status_word(value);
     } else {
         m_->r.at(static_cast<std::size_t>(index)) = static_cast<std::uint16_t>(value);
+        if (index == static_cast<int>(kProgramCounter))
+            tap_told_ = false;
     }
 }
 
@@ -225,6 +235,18 @@ void Pdp11Core::write_memory(std::uint32_t address, std::span<const std::uint8_t
         if (m_->is_code(index))
             cache_.written(index);
     }
+}
+
+void Pdp11Core::set_taps(std::span<const std::uint32_t> addresses) {
+    for (const std::uint32_t address : addresses) {
+        if (address % 2 != 0 || address >= memory().size()) {
+            throw std::invalid_argument("a tap at " + std::to_string(address) +
+                                        "; expected an even address below " +
+                                        std::to_string(memory().size()));
+        }
+    }
+    cache_.set_taps(addresses);
+    tap_told_ = false;
 }
 
 }  // namespace rasterloom::isa::pdp11

@@ -43,6 +43,8 @@ class Pdp11Core final : public Core {
 
     std::int64_t instructions_retired() const override { return retired_; }
 
+    void set_taps(std::span<const std::uint32_t> addresses) override;
+
     // For tests: traps and interrupts taken, and blocks of decoded code not shared with other
     // cores.
     std::int64_t traps_taken() const { return m_->traps; }
@@ -61,6 +63,7 @@ class Pdp11Core final : public Core {
 
     static std::unique_ptr<Machine, Unmap> map_machine();
     bool interrupt_due() const { return m_->requested > m_->priority; }
+    bool tap_due() const { return !tap_told_ && cache_.tapped(m_->r[kProgramCounter]); }
     Exit take_interrupt(std::int64_t& cycles);
     Exit run_chunk(std::int64_t budget, std::int64_t& cycles);
     Exit step_privately(std::int64_t& cycles);
@@ -72,6 +75,7 @@ class Pdp11Core final : public Core {
     CodeCache cache_;
     std::vector<Request> requests_;
     bool waiting_ = false;
+    bool tap_told_ = false;  // of the instruction that comes next
     std::int64_t retired_ = 0;
 };
 

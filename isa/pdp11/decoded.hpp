@@ -90,6 +90,9 @@ Exit undecoded(Machine* m, const Entry* e, std::int64_t left, std::int32_t nz, s
                std::uint32_t v);
 Exit next_block(Machine* m, const Entry* e, std::int64_t left, std::int32_t nz, std::uint32_t c,
                 std::uint32_t v);
+// Stands at a tapped address: comes back with Exit::recheck before the instruction.
+Exit tapped(Machine* m, const Entry* e, std::int64_t left, std::int32_t nz, std::uint32_t c,
+            std::uint32_t v);
 
 // Runs from r[7], which must be even and private, until something concerns the caller.
 // Machine::left, flags and r[7] are up to date before and after.

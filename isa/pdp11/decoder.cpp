@@ -221,18 +221,27 @@ Decoded decode_fused(const CodeView& view, std::uint32_t index) {
     return first;
 }
 
-Entry undecoded_entry(std::uint32_t index) {
+namespace {
+
+Entry entry_of(Handler handler, std::uint32_t index) {
     Entry entry;
-    entry.run = &undecoded;
+    entry.run = handler;
     entry.pc = static_cast<std::uint16_t>(2 * index);
     return entry;
 }
 
+}  // namespace
+
+Entry undecoded_entry(std::uint32_t index) {
+    return entry_of(&undecoded, index);
+}
+
 Entry next_block_entry(std::uint32_t index) {
-    Entry entry;
-    entry.run = &next_block;
-    entry.pc = static_cast<std::uint16_t>(2 * index);
-    return entry;
+    return entry_of(&next_block, index);
+}
+
+Entry tapped_entry(std::uint32_t index) {
+    return entry_of(&tapped, index);
 }
 
 }  // namespace rasterloom::isa::pdp11

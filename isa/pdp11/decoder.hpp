@@ -29,8 +29,10 @@ Decoded decode_instruction(const CodeView& view, std::uint32_t index);
 // `words` then counts both instructions'.
 Decoded decode_fused(const CodeView& view, std::uint32_t index);
 
-// An entry that decodes its word when it is first executed, and one past a block's end.
+// An entry that decodes its word when it is first executed, one past a block's end, and one that
+// stops at a tap.
 Entry undecoded_entry(std::uint32_t index);
 Entry next_block_entry(std::uint32_t index);
+Entry tapped_entry(std::uint32_t index);
 
 }  // namespace rasterloom::isa::pdp11

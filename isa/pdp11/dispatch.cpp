@@ -69,6 +69,11 @@ Exit next_block(RASTERLOOM_STATE) {
     RASTERLOOM_GO(e->pc);
 }
 
+Exit tapped(RASTERLOOM_STATE) {
+    m->r[kProgramCounter] = e->pc;
+    return leave(m, left, {nz, c, v}, Exit::recheck);
+}
+
 Exit run_handlers(Machine& m) {
     const Entry* e = m.cache->enter(m.r[kProgramCounter]);
     Exit exit = e->run(&m, e, m.left, m.flags.nz, m.flags.c, m.flags.v);

@@ -33,6 +33,11 @@ ToyCore::ToyCore(std::shared_ptr<const Program> program, std::uint32_t memory_by
 Stop ToyCore::run(std::int64_t budget_cycles) {
     std::int64_t cycles = 0;
     while (cycles < budget_cycles) {
+        take_interrupt();
+        if (tap_due()) {
+            tap_told_ = true;
+            return {StopReason::tap, cycles, std::nullopt};
+        }
         Stop stop = execute(nullptr);
         cycles += stop.cycles;
         if (stop.reason != StopReason::budget) {
@@ -76,6 +81,7 @@ Stop ToyCore::execute(Bus* bus) {
     state_.pc = (before.pc + static_cast<std::uint32_t>(length_of(*row, byte))) & 0xffff;
     branch(operation);
     ++retired_;
+    tap_told_ = false;
     const StopReason reason = operation == Operation::hlt   ? StopReason::halt
                               : operation == Operation::wai ? StopReason::wait
                                                             : StopReason::budget;
@@ -111,6 +117,7 @@ void ToyCore::take_interrupt() {
         state_.l = std::exchange(state_.pc, requests_.front().vector & 0xffff);
         set_flag(kInterrupts, false);
         requests_.erase(requests_.begin());
+        tap_told_ = false;
     }
 }
 
@@ -239,6 +246,25 @@ void ToyCore::set_reg(int index, std::uint32_t value) {
     const std::array<std::uint32_t, 5> masks = {0xff, 0xffff, 0xffff, 0xffff, 7};
     *registers.at(static_cast<std::size_t>(index)) =
         value & masks.at(static_cast<std::size_t>(index));
+    tap_told_ = tap_told_ && registers.at(static_cast<std::size_t>(index)) != &state_.pc;
+}
+
+void ToyCore::set_program_counter(std::uint32_t address) {
+    state_.pc = address & 0xffff;
+    tap_told_ = false;
+}
+
+void ToyCore::set_taps(std::span<const std::uint32_t> addresses) {
+    std::vector<bool> taps(addresses.empty() ? 0 : memory_.size());
+    for (const std::uint32_t address : addresses) {
+        if (address >= memory_.size()) {
+            throw std::invalid_argument(
+                fmt::format("a tap at 0x{:x}; memory ends at 0x{:x}", address, memory_.size() - 1));
+        }
+        taps[address] = true;
+    }
+    taps_ = std::move(taps);
+    tap_told_ = false;
 }
 
 void ToyCore::write_memory(std::uint32_t address, std::span<const std::uint8_t> bytes) {

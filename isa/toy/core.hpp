@@ -36,12 +36,13 @@ class ToyCore final : public Core {
     void withdraw_interrupt(int level, std::uint32_t vector) override;
     bool interruptible() const override { return (state_.f & kInterrupts) != 0; }
     std::uint32_t program_counter() const override { return state_.pc; }
-    void set_program_counter(std::uint32_t address) override { state_.pc = address & 0xffff; }
+    void set_program_counter(std::uint32_t address) override;
     std::uint32_t reg(int index) const override;
     void set_reg(int index, std::uint32_t value) override;
     std::span<const std::uint8_t> memory() const override { return memory_; }
     void write_memory(std::uint32_t address, std::span<const std::uint8_t> bytes) override;
     std::int64_t instructions_retired() const override { return retired_; }
+    void set_taps(std::span<const std::uint32_t> addresses) override;
 
   private:
     static constexpr std::uint32_t kZero = 1;
@@ -65,6 +66,7 @@ class ToyCore final : public Core {
     Access perform(const InstructionRow& row, unsigned byte, Bus* bus, std::uint32_t& address);
     Stop trap(std::string what, std::uint32_t address) const;
     void take_interrupt();
+    bool tap_due() const { return !tap_told_ && state_.pc < taps_.size() && taps_[state_.pc]; }
     std::uint32_t operand_address(unsigned byte, bool load);
     std::uint32_t word_at(std::uint32_t address) const;
     Access read(std::uint32_t address, std::uint32_t& value, Bus* bus) const;
@@ -82,6 +84,8 @@ class ToyCore final : public Core {
     State state_;
     std::vector<Request> requests_;  // highest level first
     std::int64_t retired_ = 0;
+    std::vector<bool> taps_;  // by address; empty without taps
+    bool tap_told_ = false;   // of the instruction that comes next
 };
 
 }  // namespace rasterloom::isa::toy

@@ -2,6 +2,7 @@
 // What a processor tells whoever observes it.
 #pragma once
 
+#include "isa/core.hpp"
 #include "machine/node/message.hpp"
 
 #include <cstdint>
@@ -28,6 +29,15 @@ struct StateInterval {
     Time to;
 };
 
+// The program is about to execute a tapped instruction (isa::Core::set_taps).
+struct Tap {
+    NodeIndex node = 0;
+    std::uint32_t address = 0;
+    std::int64_t cycles = 0;  // executed so far; stalls are none
+    Time time;                // the processor's own, which may be ahead of the simulation's
+    const isa::Core& core;
+};
+
 class NodeListener {
   public:
     virtual ~NodeListener() = default;
@@ -35,6 +45,8 @@ class NodeListener {
     // Intervals of one node come in order; those of different nodes do not, because a processor may
     // run ahead.
     virtual void interval_ended(const StateInterval&) {}
+    // Taps of one node come in order, likewise.
+    virtual void tapped(const Tap&) {}
 };
 
 }  // namespace rasterloom

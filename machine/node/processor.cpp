@@ -183,10 +183,26 @@ bool Processor::settle(const isa::Stop& stop) {
                 return true;
             }
             break;
+        case isa::StopReason::tap:
+            return tell_tap();
         case isa::StopReason::retry:
             throw InvariantError(now(), name(), "the core answers retry where none was given");
     }
     return reach_local_time();
+}
+
+// The core passes over the tap when it runs on; the others need not catch up for that.
+bool Processor::tell_tap() {
+    if (++steps_in_no_time_ == kMaxStepsInNoTime) {
+        return report_guest_error(
+            "the program loops for ever in no time: its instructions cost nothing",
+            core_->program_counter());
+    }
+    meter_.probe().tell([&](NodeListener& listener) {
+        listener.tapped(
+            {settings_.node, core_->program_counter(), cycles_executed_, local_time_, *core_});
+    });
+    return ++advances_ < kMaxAdvances || reach_local_time();
 }
 
 // A wait-for-interrupt instruction is over at once when a request came while the others caught up.

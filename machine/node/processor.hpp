@@ -93,6 +93,7 @@ class Processor final : public Component, private isa::Bus {
     bool run_private_instructions();
     bool step_io_instruction();
     bool settle(const isa::Stop& stop);
+    bool tell_tap();
     bool finish_wait();
     void spend(std::int64_t cycles);
     bool reach_local_time();
@@ -153,7 +154,7 @@ class Processor final : public Component, private isa::Bus {
     bool must_catch_up_ = false;        // the access was put off until the others have caught up
     int accesses_ = 0;                  // to the I/O page, by the instruction in progress
     std::uint32_t step_at_ = 0;         // address of that instruction
-    int steps_in_no_time_ = 0;          // such instructions since the local time last moved
+    int steps_in_no_time_ = 0;  // such instructions, and taps, since the local time last moved
 
     std::uint16_t phase_ = 0;
     std::uint16_t phase_read_ = 0;  // what the program read from PHASE last

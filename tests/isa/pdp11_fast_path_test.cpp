@@ -58,6 +58,8 @@ bool run_in_pieces(Core& core, std::int64_t& spent, std::int64_t cycles, std::in
     while (spent < cycles) {
         const Stop ran = core.run(std::min(piece, cycles - spent));
         spent += ran.cycles;
+        if (ran.reason == StopReason::tap)
+            continue;
         if (ran.reason == StopReason::io) {
             const Stop stepped = core.step(bus);
             spent += stepped.cycles;
@@ -97,6 +99,44 @@ TEST(Pdp11FastPath, DoesWhatSingleStepsDo) {
         instructions += fast->instructions_retired();
     }
     EXPECT_GT(instructions, 50'000);
+}
+
+TEST(Pdp11FastPath, GoesOnAfterTapsAsWithout) {
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        RandomPdp11 random(seed);
+        RandomStart start;
+        const Image image = random_program(random, start);
+        const auto program = pdp11::pdp11_isa().prepare(image, {});
+        const auto tapped = started(program, start);
+        const auto plain = started(program, start);
+        std::vector<std::uint32_t> taps;
+        for (std::uint32_t i = 0; i < 1 + seed % 20; ++i)
+            taps.push_back((start.r[7] & ~1U) + 2 * random.below(80));
+        tapped->set_taps(taps);
+        const std::int64_t piece = 1 + random.below(900);
+        std::int64_t tapped_spent = 0;
+        std::int64_t plain_spent = 0;
+        const bool tapped_goes_on = run_in_pieces(*tapped, tapped_spent, 3000, piece);
+        const bool plain_goes_on = run_in_pieces(*plain, plain_spent, 3000, piece);
+        ASSERT_EQ(tapped_goes_on, plain_goes_on) << "seed " << seed;
+        ASSERT_EQ(tapped_spent, plain_spent) << "seed " << seed;
+        ASSERT_EQ(registers_of(*tapped), registers_of(*plain)) << "seed " << seed;
+        ASSERT_EQ(tapped->instructions_retired(), plain->instructions_retired()) << "seed " << seed;
+        ASSERT_TRUE(std::ranges::equal(tapped->memory(), plain->memory())) << "seed " << seed;
+    }
+}
+
+TEST(Pdp11FastPath, KeepsSharingTheCodeWithoutTaps) {
+    const auto core =
+        core_of("        jmp far\n        . = 4000\nfar:    inc r0\n        br far\n");
+    core->run(100);
+    EXPECT_EQ(core->own_blocks(), 0U);
+    core->set_taps(std::vector<std::uint32_t>{04002});
+    EXPECT_EQ(core->run(100).reason, StopReason::tap);
+    EXPECT_EQ(core->own_blocks(), 1U);
+    core->set_taps({});
+    core->run(100);
+    EXPECT_EQ(core->own_blocks(), 0U);
 }
 
 TEST(Pdp11FastPath, SeesCodeChangeUnderIt) {

@@ -6,6 +6,8 @@
 #include "tests/node/script_program.hpp"
 
 #include <stdexcept>
+#include <tuple>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -154,6 +156,7 @@ class FreeCore final : public isa::Core {
     std::span<const std::uint8_t> memory() const override { return {}; }
     void write_memory(std::uint32_t, std::span<const std::uint8_t>) override {}
     std::int64_t instructions_retired() const override { return 0; }
+    void set_taps(std::span<const std::uint32_t>) override {}
 };
 
 TEST(Processor, ReportsALoopOfInstructionsThatCostNothing) {
@@ -163,6 +166,35 @@ TEST(Processor, ReportsALoopOfInstructionsThatCostNothing) {
     const RunResult result = simulation.run();
     ASSERT_NE(result.failure, nullptr);
     EXPECT_THAT(result.failure->message(), HasSubstr("loops for ever in no time"));
+}
+
+class TapList final : public NodeListener {
+  public:
+    void tapped(const Tap& tap) override {
+        EXPECT_EQ(tap.node, 12U);
+        EXPECT_EQ(tap.address, tap.core.program_counter());
+        EXPECT_EQ(tap.time.since_start(), Duration::nanoseconds(300 * tap.cycles));
+        told.emplace_back(tap.address, tap.cycles, tap.core.reg(0));
+    }
+    std::vector<std::tuple<std::uint32_t, std::int64_t, std::uint32_t>> told;
+};
+
+TEST(Processor, TellsOfTapsAtTheirExactTimeAndWithTheirRegisters) {
+    for (const bool run_ahead : {true, false}) {
+        Script s;
+        s.set(0, 3).label("again").work(10).op(Verb::add, 0, 0, 0xffff);
+        s.jump(Verb::jump_if_zero, "out").jump(Verb::jump, "again").label("out").halt();
+        Processor::Settings settings = bare_settings();
+        settings.run_ahead = run_ahead;
+        Bare bare(s, settings);
+        TapList taps;
+        bare.processor.probe().attach(taps);
+        bare.processor.core().set_taps(std::vector<std::uint32_t>{2});
+        EXPECT_EQ(bare.simulation.run().end, RunEnd::finished);
+        EXPECT_THAT(taps.told, testing::ElementsAre(std::tuple(2, 11, 3), std::tuple(2, 24, 2),
+                                                    std::tuple(2, 37, 1)));
+        EXPECT_EQ(bare.processor.statistics().cycles, 40);
+    }
 }
 
 TEST(Processor, RefusesSettingsOutOfRange) {

@@ -59,6 +59,10 @@ class ScriptCore final : public isa::Core {
         std::int64_t cycles = 0;
         while (cycles < budget) {
             take_interrupt();
+            if (taps_.contains(pc_) && !tap_told_) {
+                tap_told_ = true;
+                return {isa::StopReason::tap, cycles, {}};
+            }
             const Operation& op = program_[pc_];
             switch (op.verb) {
                 case Verb::load:
@@ -107,6 +111,7 @@ class ScriptCore final : public isa::Core {
             status =
                 read.status == isa::Bus::Status::ok ? bus.write(op.b, read.value, 2) : read.status;
         } else {
+            tap_told_ = true;
             return run(1);  // an interrupt came first
         }
         if (status == isa::Bus::Status::retry) {
@@ -135,9 +140,14 @@ class ScriptCore final : public isa::Core {
         std::copy(bytes.begin(), bytes.end(), memory_.begin() + address);
     }
     std::int64_t instructions_retired() const override { return retired_; }
+    void set_taps(std::span<const std::uint32_t> addresses) override {
+        taps_ = {addresses.begin(), addresses.end()};
+        tap_told_ = false;
+    }
 
   private:
     void retire() {
+        tap_told_ = false;
         ++pc_;
         ++retired_;
     }
@@ -147,6 +157,7 @@ class ScriptCore final : public isa::Core {
             pc_ = handlers.at(*pending_.begin());
             pending_.erase(pending_.begin());
             masked_ = true;
+            tap_told_ = false;
         }
     }
     void execute(const Operation& op) {
@@ -205,6 +216,8 @@ class ScriptCore final : public isa::Core {
     std::int64_t retired_ = 0;
     bool masked_ = false;
     std::set<std::uint32_t> pending_;
+    std::set<std::uint32_t> taps_;
+    bool tap_told_ = false;
 };
 
 }  // namespace rasterloom
