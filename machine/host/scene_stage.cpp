@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "machine/host/scene_stage.hpp"
+
+#include "machine/host/shuttle.hpp"
+#include "topologies/angles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace rasterloom::host {
+namespace {
+
+struct Paint {
+    std::string_view surface;
+    double albedo;
+};
+constexpr std::array kPaints{Paint{"white", 0.95},    Paint{"black", 0.3}, Paint{"grey", 0.6},
+                             Paint{"dark", 0.2},      Paint{"bay", 0.75},  Paint{"radiator", 0.85},
+                             Paint{"payload", 0.9},   Paint{"glass", 0.1}, Paint{"metal", 0.5},
+                             Paint{"dkdkgrey", 0.35}, Paint{"brass", 0.6}, Paint{"redbrick", 0.45}};
+constexpr double kUnknownAlbedo = 0.8;
+constexpr double kAmbient = 0.35;
+
+const glm::dvec3& sun() {
+    static const glm::dvec3 direction = glm::normalize(glm::dvec3(-0.45, 0.4, 0.8));
+    return direction;
+}
+
+double albedo_of(std::string_view surface) {
+    const auto* const paint = std::ranges::find(kPaints, surface, &Paint::surface);
+    return paint == kPaints.end() ? kUnknownAlbedo : paint->albedo;
+}
+
+// Newell's: of polygons that are not quite flat, too.
+glm::dvec3 normal_of(std::span<const StageCorner> corners) {
+    glm::dvec3 normal{0, 0, 0};
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        normal += glm::cross(corners[i].position - corners[0].position,
+                             corners[i + 1].position - corners[0].position);
+    const double length = glm::length(normal);
+    return length > 0 ? normal / length : glm::dvec3(0, 0, 1);
+}
+
+}  // namespace
+
+void Stage::add_mesh(const Mesh& mesh, const Placement& placement) {
+    const double c = topology::cos_degrees(placement.heading);
+    const double s = topology::sin_degrees(placement.heading);
+    for (const auto& face : mesh.polygons) {
+        auto& polygon = polygons_.emplace_back();
+        for (const auto index : face.corners) {
+            const auto& p = mesh.positions[index];
+            polygon.corners.push_back(
+                {placement.position + glm::dvec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z), 0});
+        }
+        const double albedo = face.surface < mesh.surface_names.size()
+                                  ? albedo_of(mesh.surface_names[face.surface])
+                                  : kUnknownAlbedo;
+        const double lit = std::max(0.0, glm::dot(normal_of(polygon.corners), sun()));
+        for (auto& corner : polygon.corners)
+            corner.grey = 255 * albedo * (kAmbient + (1 - kAmbient) * lit);
+    }
+}
+
+void Stage::add_flat(std::span<const glm::dvec3> corners, double grey, int depth_offset) {
+    auto& polygon = polygons_.emplace_back();
+    for (const auto& corner : corners)
+        polygon.corners.push_back({corner, grey});
+    polygon.depth_offset = depth_offset;
+}
+
+void Stage::add_ground(std::span<const glm::dvec2> corners, double height, double grey) {
+    std::vector<glm::dvec3> raised;
+    for (const auto& corner : corners)
+        raised.emplace_back(corner.x, corner.y, height);
+    add_flat(raised, grey);
+}
+
+Mesh scene_shuttle(const Mesh* model) {
+    if (model == nullptr)
+        return make_shuttle();
+    Mesh mesh = *model;
+    constexpr double kMost = std::numeric_limits<double>::max();
+    glm::dvec3 least{kMost, kMost, kMost};
+    glm::dvec3 greatest{-kMost, -kMost, -kMost};
+    for (const auto& position : mesh.positions) {
+        least = glm::min(least, position);
+        greatest = glm::max(greatest, position);
+    }
+    if (!(greatest.x > least.x))
+        throw std::invalid_argument("mesh '" + mesh.name +
+                                    "' has no length along x: expected a shuttle, front to -x");
+    const glm::dvec3 foot((least.x + greatest.x) / 2, (least.y + greatest.y) / 2, least.z);
+    const double factor = ShuttlePlaces{}.length / (greatest.x - least.x);
+    for (auto& position : mesh.positions)
+        position = factor * (position - foot);
+    return mesh;
+}
+
+}  // namespace rasterloom::host

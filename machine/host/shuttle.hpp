@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A plain Space Shuttle orbiter of about 450 flat convex polygons, in the place of the one that
+// NASA lent Parks ("Space Shuttle data courtesy of NASA", 1982, 4.2; about 450 polygons, about 245
+// of them facing a viewer). It stands on its wheels with the doors of the cargo bay open.
+//
+// Metres. The nose points to -x, +z is up, the ground is z = 0, y = 0 the plane of symmetry; from
+// x = -18 (nose) to 19 (tip of the fin). Parts that meet pass through each other instead of being
+// joined. Bay, engine bells and doors can be seen from both sides, all else from outside.
+#pragma once
+
+#include "machine/host/mesh.hpp"
+
+#include <glm/vec3.hpp>
+
+namespace rasterloom::host {
+
+// Surfaces: white, black, grey, dark, radiator, bay, payload, glass, metal.
+Mesh make_shuttle();
+
+// Where things are, for cameras.
+struct ShuttlePlaces {
+    double length = 37;
+    glm::dvec3 cabin_window{-8.2, 0, 7.4};  // looks aft into the bay
+    glm::dvec3 bay_middle{0, 0, 5.2};
+    glm::dvec3 fin_top{18, 0, 16.6};
+};
+
+}  // namespace rasterloom::host
