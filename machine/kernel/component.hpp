@@ -35,7 +35,9 @@ class Component {
 
   protected:
     // Ports are made before the machine is sealed, normally in the constructor. They count from 0.
-    PortIndex add_port(std::string port_name);
+    // One that may stay open keeps its number where there is nothing to join it with; nothing may
+    // be sent over it then.
+    PortIndex add_port(std::string port_name, bool may_stay_open = false);
 
     Scheduler& scheduler() { return *scheduler_; }
     const Scheduler& scheduler() const { return *scheduler_; }

@@ -13,9 +13,11 @@ namespace rasterloom {
 
 class Port {
   public:
-    explicit Port(std::string name) : name_(std::move(name)) {}
+    Port(std::string name, bool may_stay_open)
+        : name_(std::move(name)), may_stay_open_(may_stay_open) {}
 
     const std::string& name() const { return name_; }
+    bool may_stay_open() const { return may_stay_open_; }  // a machine without a wire here is whole
     bool connected() const { return latency_ > Duration(); }
     Duration latency() const { return latency_; }  // of the wire, from here to the peer
     ComponentId peer() const { return peer_; }     // once the machine is sealed
@@ -26,6 +28,7 @@ class Port {
     friend class Simulation;
 
     std::string name_;
+    bool may_stay_open_;
     Duration latency_;
     ComponentId peer_{};
     PortIndex peer_port_{};

@@ -17,14 +17,14 @@ std::string describe(const Component& component, PortIndex port) {
 
 }  // namespace
 
-PortIndex Component::add_port(std::string port_name) {
+PortIndex Component::add_port(std::string port_name, bool may_stay_open) {
     if (scheduler_ != nullptr) {
         throw WiringError(name_ + ": port " + port_name + " added after the machine was sealed");
     }
     if (ports_.size() > std::numeric_limits<std::uint16_t>::max()) {
         throw WiringError(name_ + ": has 65536 ports already");
     }
-    ports_.emplace_back(std::move(port_name));
+    ports_.emplace_back(std::move(port_name), may_stay_open);
     return static_cast<PortIndex>(ports_.size() - 1);
 }
 
@@ -86,7 +86,7 @@ void Simulation::connect(Component& a, PortIndex port_a, Component& b, PortIndex
 void Simulation::check_ports_connected() const {
     for (const auto& component : components_) {
         for (std::size_t port = 0; port < component->ports_.size(); ++port) {
-            if (!component->ports_[port].connected()) {
+            if (!component->ports_[port].connected() && !component->ports_[port].may_stay_open()) {
                 throw WiringError("seal: " + describe(*component, static_cast<PortIndex>(port)) +
                                   " has no wire");
             }

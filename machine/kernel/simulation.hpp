@@ -42,8 +42,8 @@ class Simulation {
     // does not exist or is taken, when the latency is less than a tick, or once sealed.
     void connect(Component& a, PortIndex port_a, Component& b, PortIndex port_b, Duration latency);
 
-    // Checks the wiring (names differ, no port is open) and gives ids in the order of names: from
-    // here on nothing can be added. Throws WiringError.
+    // Checks the wiring (names differ, no port is open that may not be) and gives ids in the order
+    // of names: from here on nothing can be added. Throws WiringError.
     void seal();
     bool sealed() const { return sealed_; }
 

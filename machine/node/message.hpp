@@ -63,6 +63,12 @@ enum class SupervisorEvent : EventKind {
     phase,   // supervisor -> node; payload: the value that PHASE shows
 };
 
+// Kinds of event between a node and the frame-buffer bus: one word at a time.
+enum class FrameBufferEvent : EventKind {
+    request,  // node -> bus: a word is to be written
+    done,     // bus -> node: it has been
+};
+
 // A write to CREDIT, as the supervisor gets it.
 struct Credit {
     std::int16_t change = 0;

@@ -12,7 +12,11 @@
 namespace rasterloom {
 
 MessagePorts::MessagePorts(NodeIndex node, const Settings& settings)
-    : node_(node), output_queue_(settings.output_queue), send_(settings.send) {
+    : node_(node),
+      output_queue_(settings.output_queue),
+      send_(settings.send),
+      transmitting_(settings.transmitting),
+      receiving_(settings.receiving) {
     if (settings.ports < 0 || settings.ports > kMaxPorts) {
         throw std::invalid_argument(fmt::format("node {}: a node has 0 to {} ports, not {}", node,
                                                 kMaxPorts, settings.ports));
@@ -22,11 +26,16 @@ MessagePorts::MessagePorts(NodeIndex node, const Settings& settings)
             fmt::format("node {}: a message queue holds at least 1 message", node));
     }
     ports_.resize(static_cast<std::size_t>(settings.ports));
-    for (Port& port : ports_) {
-        port.places.resize(static_cast<std::size_t>(settings.output_queue + settings.input_queue));
-        port.arrived.resize(static_cast<std::size_t>(settings.input_queue));
+    for (int number = 0; number < settings.ports; ++number) {
+        if (transmits(number)) {
+            at(number).places.resize(
+                static_cast<std::size_t>(settings.output_queue + settings.input_queue));
+        }
+        if (receives(number)) {
+            at(number).arrived.resize(static_cast<std::size_t>(settings.input_queue));
+        }
     }
-    room_ = (1U << static_cast<unsigned>(settings.ports)) - 1U;
+    room_ = transmitting_ & ((1U << static_cast<unsigned>(settings.ports)) - 1U);
 }
 
 // A place's last user was sent as many messages ago as there are places: one output queue of them

@@ -31,11 +31,15 @@ struct PortStatistics {
 
 class MessagePorts {
   public:
+    static constexpr std::uint32_t kAllPorts = ~0U;
     struct Settings {
         int ports = 0;         // 0 to kMaxPorts
         int output_queue = 2;  // messages, the one in transfer included; at least 1
         int input_queue = 4;   // messages; at least 1, and the same at the other end of every link
         SendPolicy send = SendPolicy::one_at_a_time;
+        // Bit k: port k has a way out, and a way in. A port without a way out never has room.
+        std::uint32_t transmitting = kAllPorts;
+        std::uint32_t receiving = kAllPorts;
     };
     struct Transmission {
         int port = 0;
@@ -46,6 +50,8 @@ class MessagePorts {
     MessagePorts(NodeIndex node, const Settings& settings);
 
     int count() const { return static_cast<int>(ports_.size()); }
+    bool transmits(int port) const { return port < count() && (transmitting_ >> port & 1U) != 0; }
+    bool receives(int port) const { return port < count() && (receiving_ >> port & 1U) != 0; }
     const PortStatistics& statistics(int port) const { return at(port).statistics; }
 
     // Output.
@@ -97,6 +103,8 @@ class MessagePorts {
     NodeIndex node_;
     int output_queue_;
     SendPolicy send_;
+    std::uint32_t transmitting_;
+    std::uint32_t receiving_;
     std::vector<Port> ports_;
     std::uint32_t sent_ = 0;  // messages of this node so far
     int transfers_ = 0;       // ports in transfer

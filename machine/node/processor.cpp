@@ -33,11 +33,14 @@ Processor::Processor(std::string name, std::unique_ptr<isa::Core> core, const Se
                                                 this->name(), settings.max_message));
     }
     for (int port = 0; port < settings.ports.ports; ++port) {
-        add_port(fmt::format("transmit {}", port));
-        add_port(fmt::format("receive {}", port));
+        add_port(fmt::format("transmit {}", port), !ports_.transmits(port));
+        add_port(fmt::format("receive {}", port), !ports_.receives(port));
     }
     if (settings.supervised) {
         add_port("supervisor");
+    }
+    if (settings.frame_buffer) {
+        add_frame_buffer(*settings.frame_buffer);
     }
 }
 
@@ -228,6 +231,8 @@ bool Processor::stall_is_over() const {
             return wait_mask_holds(stall_argument_);
         case Stall::interrupt:
             return interrupt_requested_;
+        case Stall::pixel:
+            return pixel_written_;
     }
     return false;
 }
@@ -236,6 +241,7 @@ bool Processor::stall_is_over() const {
 NodeState Processor::kind_of_stall() const {
     switch (stall_) {
         case Stall::transmit:
+        case Stall::pixel:
             return NodeState::waiting_output;
         case Stall::receive:
             return NodeState::waiting_input;
@@ -272,38 +278,43 @@ void Processor::resume() {
 }
 
 void Processor::handle_arrival(const Event& event) {
-    if (settings_.supervised && event.port == supervisor_port()) {
+    if (event.port < supervisor_port()) {
+        handle_message(event);
+    } else if (settings_.supervised && event.port == supervisor_port()) {
         handle_phase(static_cast<std::uint16_t>(event.payload));
     } else {
-        const int port = static_cast<int>(event.port) / 2;
-        const PortState& state = port_states_[static_cast<std::size_t>(port)];
-        switch (static_cast<MessageEvent>(event.kind)) {
-            case MessageEvent::deliver:
-                if (!ports_.deliver(port, message_of(event), now())) {
-                    throw InvariantError(now(), name(),
-                                         fmt::format("input queue {} overflows", port));
-                }
-                if (state.receive_interrupt && ports_.waiting(port) == 1) {
-                    request(receive_vector(port));
-                }
-                break;
-            case MessageEvent::done:
-                if (state.transmit_interrupt && !ports_.has_room(port)) {
-                    request(transmit_vector(port));
-                }
-                ports_.transfer_done(port, event.payload != 0, now());
-                transmit();
-                break;
-            case MessageEvent::ready:
-                ports_.link_ready(port, now());
-                transmit();
-                break;
-            default:
-                throw InvariantError(now(), name(), "an event that no node expects");
-        }
+        pixel_written_ = true;
     }
     if (stall_is_over()) {
         resume();
+    }
+}
+
+void Processor::handle_message(const Event& event) {
+    const int port = static_cast<int>(event.port) / 2;
+    const PortState& state = port_states_[static_cast<std::size_t>(port)];
+    switch (static_cast<MessageEvent>(event.kind)) {
+        case MessageEvent::deliver:
+            if (!ports_.deliver(port, message_of(event), now())) {
+                throw InvariantError(now(), name(), fmt::format("input queue {} overflows", port));
+            }
+            if (state.receive_interrupt && ports_.waiting(port) == 1) {
+                request(receive_vector(port));
+            }
+            break;
+        case MessageEvent::done:
+            if (state.transmit_interrupt && !ports_.has_room(port)) {
+                request(transmit_vector(port));
+            }
+            ports_.transfer_done(port, event.payload != 0, now());
+            transmit();
+            break;
+        case MessageEvent::ready:
+            ports_.link_ready(port, now());
+            transmit();
+            break;
+        default:
+            throw InvariantError(now(), name(), "an event that no node expects");
     }
 }
 
@@ -383,6 +394,9 @@ std::optional<std::string> Processor::waits_for() const {
             break;
         case Stall::interrupt:
             what = "an interrupt";
+            break;
+        case Stall::pixel:
+            what = "the frame-buffer bus";
             break;
     }
     return fmt::format("{} since {}, {}", what, to_string(local_time_),

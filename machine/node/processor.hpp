@@ -19,6 +19,7 @@
 #include "machine/kernel/clock.hpp"
 #include "machine/kernel/component.hpp"
 #include "machine/node/activity_meter.hpp"
+#include "machine/node/frame_buffer.hpp"
 #include "machine/node/guest_error.hpp"
 #include "machine/node/message_ports.hpp"
 #include "machine/node/registers.hpp"
@@ -42,6 +43,7 @@ class Processor final : public Component, private isa::Bus {
             true;  // has a wire to a supervisor; else PHASE stays 0 and CREDIT is a guest error
         bool run_ahead =
             true;  // false: every instruction goes through the event queue, for comparison
+        std::optional<FrameBuffer::Settings> frame_buffer;
         // For messages only.
         std::shared_ptr<const isa::Image> image;  // where a program counter comes from; may be null
         std::vector<std::string> register_names;  // isa::Core::reg(i)
@@ -51,10 +53,14 @@ class Processor final : public Component, private isa::Bus {
     // Throws std::invalid_argument when a number is out of range.
     Processor(std::string name, std::unique_ptr<isa::Core> core, const Settings& settings);
 
-    // The wires of message port k, and the one to the supervisor (only if supervised).
+    // The wires of message port k, the one to the supervisor (only if supervised) and the one to
+    // the frame-buffer bus (only if the frame buffer is written over it).
     static PortIndex transmit_port(int k) { return static_cast<PortIndex>(2 * k); }
     static PortIndex receive_port(int k) { return static_cast<PortIndex>(2 * k + 1); }
     PortIndex supervisor_port() const { return static_cast<PortIndex>(2 * ports_.count()); }
+    PortIndex frame_buffer_port() const {
+        return static_cast<PortIndex>(2 * ports_.count() + (settings_.supervised ? 1 : 0));
+    }
 
     NodeIndex node() const { return settings_.node; }
     isa::Core& core() {
@@ -62,6 +68,8 @@ class Processor final : public Component, private isa::Bus {
     }  // to load and to inspect; not while the processor executes
     const isa::Core& core() const { return *core_; }
     const MessagePorts& message_ports() const { return ports_; }
+    // None where the machine has none; to look at while the processor does not execute.
+    const FrameBuffer* frame_buffer() const { return frame_buffer_ ? &*frame_buffer_ : nullptr; }
     bool halted() const { return next_ == Next::nothing; }
     std::uint16_t phase() const { return phase_; }
     // How far the processor has executed: at or after the simulation's now, unless it is stalled.
@@ -86,7 +94,7 @@ class Processor final : public Component, private isa::Bus {
     // What the processor does when it next has control.
     enum class Next : std::uint8_t { run, step, wait, halt, fail, nothing };
     // Why a stalled access cannot go on.
-    enum class Stall : std::uint8_t { none, transmit, receive, wait_for, interrupt };
+    enum class Stall : std::uint8_t { none, transmit, receive, wait_for, interrupt, pixel };
 
     // processor.cpp: events and the loop of execution.
     void proceed();
@@ -99,6 +107,7 @@ class Processor final : public Component, private isa::Bus {
     bool reach_local_time();
     std::int64_t budget() const;
     void handle_arrival(const Event& event);
+    void handle_message(const Event& event);
     void handle_phase(std::uint16_t phase);
     bool stall_is_over() const;
     NodeState kind_of_stall() const;
@@ -127,6 +136,13 @@ class Processor final : public Component, private isa::Bus {
     void enable_interrupt(int port, bool receive, bool enable);
     void request(std::uint32_t vector);
 
+    // processor_frame_buffer.cpp: the frame buffer's registers and its window in the I/O page.
+    void add_frame_buffer(const FrameBuffer::Settings& settings);
+    Status write_frame_buffer(std::uint32_t address, std::uint32_t value);
+    Status select_row(std::uint32_t row);
+    Status write_image_window(std::uint32_t address, std::uint32_t value);
+    Status write_image_over_bus(std::uint32_t column, std::uint32_t value);
+
     struct PortState {
         std::uint32_t transmit_address = 0;
         bool transmit_interrupt = false;
@@ -138,6 +154,7 @@ class Processor final : public Component, private isa::Bus {
     MessagePorts ports_;
     std::vector<PortState> port_states_;
     ActivityMeter meter_;
+    std::optional<FrameBuffer> frame_buffer_;
 
     Next next_ = Next::run;
     std::string error_;           // to be reported as a guest error when everybody has caught up
@@ -151,6 +168,7 @@ class Processor final : public Component, private isa::Bus {
 
     Stall stall_ = Stall::none;
     std::uint32_t stall_argument_ = 0;  // the port, or the mask written to WAITFOR
+    bool pixel_written_ = false;        // the word that stalled has gone over the frame-buffer bus
     bool must_catch_up_ = false;        // the access was put off until the others have caught up
     int accesses_ = 0;                  // to the I/O page, by the instruction in progress
     std::uint32_t step_at_ = 0;         // address of that instruction

@@ -45,6 +45,9 @@ isa::Bus::Read Processor::read(std::uint32_t address, int bytes) {
 
 isa::Bus::Status Processor::write(std::uint32_t address, std::uint32_t value, int bytes) {
     const auto where = decode_register(address);
+    if (!where && bytes == 2) {
+        return write_frame_buffer(address, value);
+    }
     if (!where || bytes != 2) {
         return Status::fault;
     }
@@ -61,7 +64,9 @@ isa::Bus::Status Processor::write(std::uint32_t address, std::uint32_t value, in
 
 // Empty for a register that cannot be read.
 std::optional<std::uint32_t> Processor::read_port(int port, PortRegister which) const {
-    if (port >= ports_.count()) {  // the registers of all sixteen ports are there, linked or not
+    // The registers of all sixteen ports are there, linked or not.
+    const bool outward = which < PortRegister::rxstat;
+    if (outward ? !ports_.transmits(port) : !ports_.receives(port)) {
         switch (which) {
             case PortRegister::txstat:
                 return kStatNoLink;
@@ -117,7 +122,8 @@ std::optional<std::uint32_t> Processor::read_node(NodeRegister which) {
 }
 
 isa::Bus::Status Processor::write_port(int port, PortRegister which, std::uint32_t value) {
-    const bool linked = port < ports_.count();
+    const bool linked =
+        which < PortRegister::rxstat ? ports_.transmits(port) : ports_.receives(port);
     switch (which) {
         case PortRegister::txstat:
         case PortRegister::rxstat:

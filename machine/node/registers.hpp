@@ -12,6 +12,7 @@ inline constexpr int kMaxPorts = 16;
 inline constexpr std::uint32_t kPortRegisters = 0164000;  // port k's stand 020 k higher
 inline constexpr std::uint32_t kPortStride = 020;
 inline constexpr std::uint32_t kNodeRegisters = 0165000;
+inline constexpr std::uint32_t kFrameBufferRegisters = 0166000;
 
 // The values are the offsets within a port's registers...
 enum class PortRegister : std::uint8_t {
@@ -36,6 +37,10 @@ enum class NodeRegister : std::uint8_t {
     mark = 016,
     fault = 020,
 };
+
+// Of the frame buffer; both can only be written.
+inline constexpr std::uint32_t kFbRow = kFrameBufferRegisters;
+inline constexpr std::uint32_t kFbClear = kFrameBufferRegisters + 2;
 
 // TXSTAT and RXSTAT.
 inline constexpr std::uint32_t kStatNoLink = 0100000;

@@ -197,6 +197,26 @@ TEST(Processor, TellsOfTapsAtTheirExactTimeAndWithTheirRegisters) {
     }
 }
 
+TEST(Processor, HasPortsThatGoOneWayOnly) {
+    Processor::Settings settings = bare_settings();
+    settings.ports = {2, 2, 4, SendPolicy::one_at_a_time, 0, 0};
+    Script s;
+    s.load(0, port_register(PortRegister::txstat, 0)).load(1, node_register(NodeRegister::txroom));
+    s.load(2, port_register(PortRegister::rxstat, 1)).load(3, node_register(NodeRegister::ports));
+    Bare bare(s.halt(), settings);  // without any wire
+    EXPECT_EQ(bare.failure(), "no failure");
+    EXPECT_EQ(bare.processor.core().reg(0), kStatNoLink);
+    EXPECT_EQ(bare.processor.core().reg(1), 0U);
+    EXPECT_EQ(bare.processor.core().reg(2), 0U);
+    EXPECT_EQ(bare.processor.core().reg(3), 2U);
+    EXPECT_THAT(Bare(Script().send(1, 1), settings).failure(),
+                HasSubstr("send to port 1, which has no link"));
+    EXPECT_THAT(Bare(Script().write(port_register(PortRegister::rxaddr, 1), 0), settings).failure(),
+                HasSubstr("receive from port 1, which has no link"));
+    settings.ports.receiving = 2;
+    EXPECT_THROW(Bare(Script().halt(), settings), WiringError);
+}
+
 TEST(Processor, RefusesSettingsOutOfRange) {
     Processor::Settings settings = bare_settings();
     settings.max_message = 0;

@@ -49,8 +49,8 @@ class ScriptCore final : public isa::Core {
     static constexpr std::uint32_t kZero =
         7;  // a register that programs leave at zero, for unindexed accesses
 
-    explicit ScriptCore(Program program, std::uint32_t seed = 1)
-        : program_(std::move(program)), random_(seed) {}
+    explicit ScriptCore(Program program, std::uint32_t seed = 1, std::size_t memory_bytes = 2048)
+        : program_(std::move(program)), random_(seed), memory_(memory_bytes) {}
 
     // Entry points of interrupt handlers.
     std::map<std::uint32_t, std::uint32_t> handlers;
@@ -210,7 +210,7 @@ class ScriptCore final : public isa::Core {
     Program program_;
     std::uint32_t random_;
     std::array<std::uint32_t, 8> registers_{};
-    std::array<std::uint8_t, 2048> memory_{};
+    std::vector<std::uint8_t> memory_;
     std::uint32_t pc_ = 0;
     std::uint32_t return_to_ = 0;
     std::int64_t retired_ = 0;
