@@ -30,6 +30,8 @@
 
 namespace rasterloom::host {
 
+struct Lens;
+
 struct StageCorner {
     glm::dvec3 position{0, 0, 0};
     double grey = 0;  // level, 0 to 255
@@ -68,10 +70,14 @@ struct PolygonSetupStatistics {
 
 // Screen polygons in the stage's order, all of them as check_polygons (polygon_shape.hpp) demands.
 // Throws std::invalid_argument, naming the polygon and its corner from 0, for fewer than three
-// corners, no area, a coordinate that is not finite or above 1e100, a grey level outside 0 to 255,
+// corners, no area, a coordinate that is not finite or above 1e60, a grey level outside 0 to 255,
 // and for a camera or a picture (1 to 4096 pixels each way) that makes no sense.
 std::vector<Polygon> screen_polygons(std::span<const StagePolygon> stage, const Camera& camera,
                                      int width, int height,
+                                     PolygonSetupStatistics* statistics = nullptr);
+
+// Likewise through a lens made elsewhere (polygon_projection.hpp).
+std::vector<Polygon> screen_polygons(std::span<const StagePolygon> stage, const Lens& lens,
                                      PolygonSetupStatistics* statistics = nullptr);
 
 }  // namespace rasterloom::host
