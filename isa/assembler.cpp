@@ -72,6 +72,17 @@ Diagnostic unsettled(const SymbolTable::Map& before, const SymbolTable::Map& aft
     return {before.begin()->second.where, "phase error: symbols come and go from pass to pass", {}};
 }
 
+std::vector<std::string> unused(const Pass& pass, const AssemblerOptions& options) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : options.defines) {
+        const auto found = pass.symbols().find(name);
+        if (found != pass.symbols().end() && !found->second.used) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
 Assembly assemble_lines(const Dialect& dialect, std::string_view name, const Lines& lines,
                         const std::filesystem::path& directory, const AssemblerOptions& options,
                         FileStore& files) {
@@ -89,7 +100,7 @@ Assembly assemble_lines(const Dialect& dialect, std::string_view name, const Lin
             pass.diagnostics().push_back(unsettled(previous, pass.symbols()));
         }
         Assembly assembly{make_image(pass, name), std::move(pass.diagnostics()),
-                          std::move(pass.lines())};
+                          std::move(pass.lines()), unused(pass, options)};
         sort_by_place(assembly.diagnostics);
         return assembly;
     }

@@ -53,6 +53,7 @@ struct Assembly {
     Image image;
     std::vector<Diagnostic> diagnostics;  // sorted by place; empty when the source is correct
     std::vector<AssembledLine> lines;
+    std::vector<std::string> unused_defines;  // of the options: the source never asks for them
     bool ok() const { return diagnostics.empty(); }
 };
 

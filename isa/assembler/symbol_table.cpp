@@ -16,6 +16,7 @@ std::string SymbolTable::key(std::string_view name) const {
 std::optional<std::int64_t> SymbolTable::value_of(std::string_view name) const {
     const std::string full = key(name);
     if (const auto found = symbols_.find(full); found != symbols_.end()) {
+        found->second.used = true;
         return found->second.value;
     }
     if (previous_ != nullptr) {
@@ -28,7 +29,11 @@ std::optional<std::int64_t> SymbolTable::value_of(std::string_view name) const {
 
 const Symbol* SymbolTable::find(std::string_view name) const {
     const auto found = symbols_.find(key(name));
-    return found == symbols_.end() ? nullptr : &found->second;
+    if (found == symbols_.end()) {
+        return nullptr;
+    }
+    found->second.used = true;
+    return &found->second;
 }
 
 void SymbolTable::define(std::string_view name, Symbol symbol) {

@@ -16,6 +16,7 @@ struct Symbol {
     std::int64_t value = 0;
     bool label = false;  // else assigned, and may be assigned again
     SourceLocation where;
+    mutable bool used = false;  // somebody asked for it
 };
 
 class SymbolTable {

@@ -2,6 +2,7 @@
 // rasterloom describe: what a machine is like, without running it.
 #include "machine/cli/command.hpp"
 #include "machine/cli/config_options.hpp"
+#include "machine/cli/describe_tiling.hpp"
 #include "machine/config/export.hpp"
 #include "machine/config/units.hpp"
 #include "machine/emulation/wiring.hpp"
@@ -9,6 +10,7 @@
 #include "topologies/export.hpp"
 #include "topologies/metrics.hpp"
 #include "topologies/screen_map.hpp"
+#include "topologies/tiling_export.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -47,10 +49,13 @@ std::string topology_line(const config::TopologyDescription& topology) {
     return text;
 }
 
-void print_graph(const config::MachineDescription& machine, const Topology& topology) {
-    const topology::Metrics metrics = topology::measure(topology);
+void print_title(const config::MachineDescription& machine) {
     fmt::print("{}: {}\n", machine.machine.empty() ? "machine" : machine.machine,
                topology_line(machine.topology));
+}
+
+void print_graph(const Topology& topology) {
+    const topology::Metrics metrics = topology::measure(topology);
     fmt::print("Nodes       {}: {}\n", metrics.nodes, degrees(metrics));
     fmt::print("Edges       {} ({} links, one in either direction)\n", metrics.links,
                2 * metrics.links);
@@ -63,10 +68,13 @@ void print_graph(const config::MachineDescription& machine, const Topology& topo
     fmt::print("Planar      {}\n", metrics.is_planar ? "yes" : "no");
 }
 
-void print_parts(const config::MachineDescription& machine) {
+void print_processor(const config::MachineDescription& machine) {
     fmt::print("Processor   {}, {} a cycle, {} bytes, {}\n", machine.nodes.isa,
                config::format_clock(machine.nodes.clock), machine.nodes.memory,
                machine.nodes.program.text);
+}
+
+void print_link(const config::MachineDescription& machine) {
     fmt::print("Link        {} a message and {} a byte, latency {}, queues of {} in, {} out\n",
                config::format_duration(machine.links.time_per_message),
                config::format_duration(machine.links.time_per_byte),
@@ -87,7 +95,7 @@ void print_screen(const config::MachineDescription& machine, const Topology& top
                *most, static_cast<double>(map.owner.size()) / static_cast<double>(pixels.size()));
 }
 
-void print_node(const Topology& topology, const std::string& name) {
+std::size_t find_node(const Topology& topology, const std::string& name) {
     const auto found = std::find_if(topology.nodes.begin(), topology.nodes.end(),
                                     [&](const topology::Node& node) { return node.name == name; });
     if (found == topology.nodes.end()) {
@@ -98,9 +106,13 @@ void print_node(const Topology& topology, const std::string& name) {
         config::refuse({"--node", 0, 0}, {}, name, "no such node", {},
                        config::nearest_name(name, names));
     }
-    const auto index = static_cast<std::size_t>(found - topology.nodes.begin());
-    fmt::print("{} is node {}: phi {:.3f}, theta {:.3f} degrees\n", name, index, found->phi,
-               found->theta);
+    return static_cast<std::size_t>(found - topology.nodes.begin());
+}
+
+void print_node(const Topology& topology, const std::string& name) {
+    const std::size_t index = find_node(topology, name);
+    fmt::print("{} is node {}: phi {:.3f}, theta {:.3f} degrees\n", name, index,
+               topology.nodes[index].phi, topology.nodes[index].theta);
     for (std::size_t port = 0; port < topology.ports[index].size(); ++port) {
         const topology::NodeIndex neighbour = topology.ports[index][port];
         const topology::Node& node = topology.nodes[neighbour];
@@ -120,13 +132,8 @@ void write_tables(const Topology& topology, const std::string& folder) {
     output.commit();
 }
 
-void describe(const DescribeOptions& options, const Session& session) {
-    const config::MachineDescription machine = load(options.config, session);
-    if (options.effective) {
-        fmt::print("{}", config::export_machine(machine));
-        return;
-    }
-    const Topology topology = emulation::make_wiring(machine);
+void describe_graph(const DescribeOptions& options, const config::MachineDescription& machine,
+                    const Topology& topology) {
     if (!options.svg.empty()) {
         std::ostringstream drawing;
         topology::write_svg(drawing, topology);
@@ -139,10 +146,48 @@ void describe(const DescribeOptions& options, const Session& session) {
         print_node(topology, options.node);
         return;
     }
-    print_graph(machine, topology);
-    print_parts(machine);
+    print_title(machine);
+    print_graph(topology);
+    print_processor(machine);
+    print_link(machine);
     if (machine.scene) {
         print_screen(machine, topology);
+    }
+}
+
+void describe_tiling(const DescribeOptions& options, const config::MachineDescription& machine,
+                     const Topology& topology) {
+    const topology::Distribution distribution = emulation::make_distribution(machine, topology);
+    if (!options.svg.empty()) {
+        std::ostringstream drawing;
+        topology::write_tiling_svg(drawing, *topology.tiling, distribution);
+        observe::write_file_whole(options.svg, drawing.str());
+    }
+    if (!options.csv.empty()) {
+        write_tiling_tables(distribution, options.csv);
+    }
+    if (!options.node.empty()) {
+        print_share(distribution, find_node(topology, options.node), options.node);
+        return;
+    }
+    print_title(machine);
+    print_tiling(*topology.tiling, distribution);
+    print_processor(machine);
+    print_fabric(machine);
+}
+
+void describe(const DescribeOptions& options, const Session& session) {
+    const config::MachineDescription machine = load(options.config, session);
+    if (options.effective) {
+        fmt::print("{}", config::export_machine(machine));
+        return;
+    }
+    const Topology topology = emulation::make_wiring(machine);
+    emulation::check_keys_matter(machine, topology);
+    if (topology.tiling) {
+        describe_tiling(options, machine, topology);
+    } else {
+        describe_graph(options, machine, topology);
     }
 }
 
@@ -152,14 +197,20 @@ void add_describe_command(CLI::App& app, Session& session) {
     auto options = std::make_shared<DescribeOptions>();
     CLI::App* command = app.add_subcommand("describe",
                                            "Describe a machine: its graph (nodes, links, degrees, "
-                                           "distances, planar or not) and its parts");
+                                           "distances, planar or not) or how it deals out the "
+                                           "screen, and its parts");
     add_config_options(*command, options->config);
     command->add_flag("--config", options->effective,
                       "Print the configuration in effect, which loads again");
-    command->add_option("--svg", options->svg, "Draw the graph")->type_name("FILE");
-    command->add_option("--csv", options->csv, "Write nodes.csv and links.csv to this folder")
+    command->add_option("--svg", options->svg, "Draw the graph or the shares of the screen")
+        ->type_name("FILE");
+    command
+        ->add_option("--csv", options->csv,
+                     "Write nodes.csv and links.csv (or elements.csv) to this folder")
         ->type_name("DIR");
-    command->add_option("--node", options->node, "Show one node's place and neighbours instead")
+    command
+        ->add_option("--node", options->node,
+                     "Show one node's place and neighbours or pixels instead")
         ->type_name("NAME");
     command->callback([options, &session] { describe(*options, session); });
 }

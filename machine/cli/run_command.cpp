@@ -82,7 +82,7 @@ void print_outcome(const RunCommandOptions& options, const config::MachineDescri
         }
     }
     if (options.compare) {
-        print_comparison(outcome, machine.scene ? static_cast<int>(machine.scene->background) : 0);
+        print_comparison(outcome, machine.scene ? static_cast<int>(machine.scene->background.value_or(0)) : 0);
     }
 }
 

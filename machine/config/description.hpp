@@ -44,6 +44,7 @@ struct NodeDescription {
     CostDescription cost;
     std::int64_t memory = 56 * 1024;               // bytes
     FileReference program;                         // .s: assembled; .bin: raw image; .out: a.out
+    std::map<std::string, std::int64_t> symbols;   // set before the program's first line
     std::uint32_t load_address = 0;                // raw images only
     std::optional<std::uint32_t> entry;            // default: what the program says
     std::optional<std::int64_t> phases_per_frame;  // default: the program's phases_per_frame
@@ -57,6 +58,39 @@ struct LinkDescription {
     std::int64_t output_queue = 2;   // messages
     std::int64_t max_message = 256;  // bytes
     SendPolicy send = SendPolicy::one_at_a_time;
+};
+
+// Between the host and the processors of a machine that deals out the screen.
+struct SplitterDescription {
+    Duration time_per_vertex = Duration::nanoseconds(600);  // two memory cycles
+    std::int64_t input_fifo = 4;                            // polygons
+    std::int64_t output_fifo = 4;                           // polygons, of either output
+};
+
+enum class FrameBufferKind : std::uint8_t {
+    local,  // every processor has its own pixels, as in the thesis
+    bus,    // every pixel written goes over one bus
+};
+
+struct FabricDescription {
+    bool ideal = false;  // no time anywhere, no FIFO ever full: the thesis' assumption
+    SplitterDescription splitter;
+    Duration bus_time_per_word = Duration::nanoseconds(300);
+    std::int64_t processor_fifo = 4;  // polygons
+    FrameBufferKind frame_buffer = FrameBufferKind::local;
+    Duration frame_buffer_time_per_pixel = Duration::nanoseconds(300);
+    Duration latency = Duration::microseconds(1);  // of every wire
+    bool half_digested = false;
+};
+
+enum class PolygonOrder : std::uint8_t { mesh, sorted, sorted_far, shuffled };
+
+// The computer that sends the polygons.
+struct HostDescription {
+    Duration time_per_polygon = Duration::microseconds(10);
+    Duration time_per_vertex;
+    PolygonOrder order = PolygonOrder::mesh;
+    std::int64_t seed = 1;  // of shuffled
 };
 
 struct SupervisorDescription {
@@ -78,8 +112,11 @@ struct RotationDescription {
 };
 
 struct SceneDescription {
-    std::string object = "teapot";              // a built-in object ...
-    std::optional<std::filesystem::path> mesh;  // ... or a mesh file
+    std::string object = "teapot";              // a built-in object or polygon scene ...
+    std::optional<std::filesystem::path> mesh;  // ... or a mesh or polygon file
+    std::optional<FileReference> model;         // in place of a polygon scene's own
+    std::int64_t polygons = 500;                // of a random scene
+    std::int64_t seed = 1;                      // likewise
     std::string up = "y";                       // axis of the mesh that points up
     std::string front = "z";                    // axis of the mesh that faces the viewer
     double size = 0.98;                         // radius to which a mesh file is fitted
@@ -91,7 +128,7 @@ struct SceneDescription {
     double vanishing_distance = 4;
     glm::dvec3 light{-0.7, 0.3, 0.65};
     double ambient = 0.15;
-    std::int64_t background = 0;  // grey level
+    std::optional<std::int64_t> background;  // grey level; none: 0, or the polygon scene's own
 };
 
 struct RunDescription {
@@ -103,7 +140,9 @@ struct MachineDescription {
     std::string machine;
     TopologyDescription topology;
     NodeDescription nodes;
-    LinkDescription links;
+    LinkDescription links;     // of machines that are graphs
+    FabricDescription fabric;  // of machines that deal out the screen
+    HostDescription host;      // likewise
     SupervisorDescription supervisor;
     ScreenDescription screen;
     std::optional<SceneDescription>

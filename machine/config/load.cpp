@@ -138,6 +138,7 @@ void check_together(const MachineDescription& machine) {
         }
     };
     at_least("links.latency", machine.links.latency, Duration::picoseconds(2));
+    at_least("fabric.latency", machine.fabric.latency, Duration::picoseconds(2));
     at_least("supervisor.latency", machine.supervisor.latency, Duration::picoseconds(2));
     at_least("run.max_time", machine.run.max_time, Duration::picoseconds(1));
     if (!machine.scene && machine.run.frames != 1) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The keys of a machine: everything but the scene.
+#include "machine/config/fabric_fields.hpp"
 #include "machine/config/field.hpp"
 #include "machine/config/field_builders.hpp"
 #include "machine/config/scene_fields.hpp"
 #include "machine/config/yaml_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace rasterloom::config {
 
@@ -165,6 +167,47 @@ Field program_field() {
             }};
 }
 
+void read_symbols(MachineDescription& machine, const Value& value, const Locator&) {
+    if (value.kind != Value::Kind::mapping) {
+        throw std::invalid_argument(std::string(kind_name(value.kind)) +
+                                    " where a mapping belongs");
+    }
+    machine.nodes.symbols.clear();
+    for (const Entry& entry : value.entries) {
+        machine.written["nodes.symbols." + entry.key] = entry.value.where;
+        const bool is_name =
+            !entry.key.empty() && std::all_of(entry.key.begin(), entry.key.end(), [](char c) {
+                return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' ||
+                       c == '.';
+            });
+        if (!is_name || std::isdigit(static_cast<unsigned char>(entry.key[0])) != 0) {
+            throw std::invalid_argument("not the name of a symbol: " + entry.key);
+        }
+        const std::int64_t number = parse_count(scalar_text(entry.value));
+        if (number < -32768 || number > 65535) {
+            throw std::invalid_argument("out of range: " + entry.key);
+        }
+        machine.nodes.symbols[entry.key] = number;
+    }
+}
+
+Field symbols_field() {
+    return {"nodes.symbols",
+            "a mapping of symbols to whole numbers from -32768 to 65535, such as { full: 0 }",
+            "symbols set before the first line of a program that is assembled; its first comment "
+            "says which it knows",
+            false,
+            read_symbols,
+            [](const MachineDescription& machine) {
+                std::vector<std::string> parts;
+                for (const auto& [name, number] : machine.nodes.symbols) {
+                    parts.push_back(fmt::format("{}: {}", yaml_scalar(name), number));
+                }
+                return parts.empty() ? std::string()
+                                     : fmt::format("{{ {} }}", fmt::join(parts, ", "));
+            }};
+}
+
 Field load_address_field() {
     return {"nodes.load_address",
             "a byte address such as 0o1000, 0x200 or 512",
@@ -219,6 +262,7 @@ void add_node_fields(std::vector<Field>& fields) {
         "nodes.memory", "private memory of a node", 256, 16 << 20,
         [](auto& machine) -> auto& { return machine.nodes.memory; }));
     fields.push_back(program_field());
+    fields.push_back(symbols_field());
     fields.push_back(load_address_field());
     fields.push_back(entry_field());
     fields.push_back(phases_field());
@@ -255,6 +299,7 @@ std::vector<Field> machine_fields() {
     std::vector<Field> fields{machine_name_field(), topology_field()};
     add_node_fields(fields);
     add_link_fields(fields);
+    add_fabric_fields(fields);
     fields.push_back(duration_field(
         "supervisor.latency", "from the end of a phase to its announcement; at least 2ps",
         [](auto& machine) -> auto& { return machine.supervisor.latency; }));

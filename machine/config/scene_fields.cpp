@@ -5,6 +5,8 @@
 #include "machine/config/field_builders.hpp"
 #include "machine/config/yaml_text.hpp"
 
+#include <limits>
+
 namespace rasterloom::config {
 
 namespace {
@@ -33,8 +35,8 @@ void read_object(MachineDescription& machine, const Value& value, const Locator&
 
 Field object_field() {
     return {"scene.object",
-            "a built-in object or a mesh file",
-            "what is drawn: see `rasterloom list scenes`; a mesh file is looked for beside the "
+            "a built-in object or polygon scene, a mesh file or a polygon file (.polygons)",
+            "what is drawn: see `rasterloom list scenes`; a file is looked for beside the "
             "configuration",
             false,
             read_object,
@@ -44,10 +46,59 @@ Field object_field() {
             }};
 }
 
+Field model_field() {
+    return {"scene.model",
+            "a mesh file",
+            "what a polygon scene shows in place of its own shuttle; looked for beside the "
+            "configuration",
+            false,
+            [](MachineDescription& machine, const Value& value, const Locator& locator) {
+                const std::string& name = scalar_text(value);
+                const auto found = locator.find(name, value.where.source, {});
+                if (!found) {
+                    throw std::invalid_argument("no such file (looked in " +
+                                                Locator::places(value.where.source, {}) + ")");
+                }
+                scene_of(machine).model = FileReference{name, *found};
+            },
+            [](const MachineDescription& machine) {
+                const auto& model = scene_of(machine).model;
+                return model ? yaml_scalar(model->path.string()) : std::string();
+            }};
+}
+
+Field background_field() {
+    return {"scene.background",
+            "a whole number from 0 to 255",
+            "grey level behind the object; default: 0, or what the polygon scene has",
+            false,
+            [](MachineDescription& machine, const Value& value, const Locator&) {
+                const std::int64_t grey = parse_count(scalar_text(value));
+                if (grey < 0 || grey > 255) {
+                    throw std::invalid_argument("out of range");
+                }
+                scene_of(machine).background = grey;
+            },
+            [](const MachineDescription& machine) {
+                const auto& grey = scene_of(machine).background;
+                return grey ? std::to_string(*grey) : std::string();
+            }};
+}
+
+void add_random_fields(std::vector<Field>& fields) {
+    fields.push_back(count_field(
+        "scene.polygons", "how many, in a random scene", 1, 1'000'000,
+        [](auto& m) -> auto& { return scene_of(m).polygons; }));
+    fields.push_back(count_field(
+        "scene.seed", "of a random scene", 0, std::numeric_limits<std::int64_t>::max(),
+        [](auto& m) -> auto& { return scene_of(m).seed; }));
+}
+
 void add_object_fields(std::vector<Field>& fields) {
     const std::vector<std::pair<std::string, std::string>> axes{
         {"x", "x"}, {"-x", "-x"}, {"y", "y"}, {"-y", "-y"}, {"z", "z"}, {"-z", "-z"}};
     fields.push_back(object_field());
+    fields.push_back(model_field());
     fields.push_back(choice_field<std::string>(
         "scene.up", "axis of the mesh file that points up", axes,
         [](auto& m) -> auto& { return scene_of(m).up; }));
@@ -95,9 +146,7 @@ void add_view_fields(std::vector<Field>& fields) {
     fields.push_back(real_field(
         "scene.ambient", "share of light that falls everywhere", 0, 1,
         [](auto& m) -> auto& { return scene_of(m).ambient; }));
-    fields.push_back(count_field(
-        "scene.background", "grey level behind the object", 0, 255,
-        [](auto& m) -> auto& { return scene_of(m).background; }));
+    fields.push_back(background_field());
 }
 
 }  // namespace
@@ -106,6 +155,7 @@ void add_scene_fields(std::vector<Field>& fields) {
     add_object_fields(fields);
     add_motion_fields(fields);
     add_view_fields(fields);
+    add_random_fields(fields);
 }
 
 }  // namespace rasterloom::config

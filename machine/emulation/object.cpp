@@ -49,7 +49,7 @@ host::View make_view(const config::MachineDescription& machine) {
     view.vanishing_distance = scene.vanishing_distance;
     view.light = scene.light;
     view.ambient = scene.ambient;
-    view.background = static_cast<int>(scene.background);
+    view.background = static_cast<int>(scene.background.value_or(0));
     view.axis = scene.rotate.axis;
     return view;
 }

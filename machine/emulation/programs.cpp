@@ -3,6 +3,7 @@
 
 #include "isa/assembler.hpp"
 #include "isa/cost_choice.hpp"
+#include "isa/diagnostic.hpp"
 #include "isa/image_files.hpp"
 #include "isa/pdp11/pdp11.hpp"
 
@@ -23,6 +24,38 @@ isa::Image read_image(const MachineDescription& machine) {
                                    memory);
     }
     return isa::read_aout_image(path);
+}
+
+// With the symbols that the machine itself defines, where the program asks for them.
+isa::AssemblerOptions assembler_options(const MachineDescription& machine) {
+    isa::AssemblerOptions options;
+    options.defines.insert(machine.nodes.symbols.begin(), machine.nodes.symbols.end());
+    const auto define = [&](const char* name, bool holds) {
+        if (options.defines.contains(name)) {
+            throw machine.error(std::string("nodes.symbols.") + name, {},
+                                "is set by the machine's fabric", "no such symbol");
+        }
+        options.defines[name] = holds ? 1 : 0;
+    };
+    define("frame_buffer_bus", machine.fabric.frame_buffer == config::FrameBufferKind::bus);
+    define("half_digested", machine.fabric.half_digested);
+    return options;
+}
+
+isa::Image assemble(const isa::Isa& isa, const MachineDescription& machine) {
+    const auto& program = machine.nodes.program;
+    isa::Assembly assembly = isa::assemble_file(isa, program.path, assembler_options(machine));
+    if (!assembly.ok()) {
+        throw isa::AssemblyError(std::move(assembly.diagnostics));
+    }
+    for (const std::string& name : assembly.unused_defines) {
+        if (machine.nodes.symbols.contains(name)) {
+            throw machine.error("nodes.symbols." + name, {},
+                                "the program " + program.text + " does not ask for this symbol",
+                                "a symbol that it tests with .if or .ifndf");
+        }
+    }
+    return std::move(assembly.image);
 }
 
 }  // namespace
@@ -56,8 +89,13 @@ isa::Image load_program(const isa::Isa& isa, const MachineDescription& machine) 
     const auto& program = machine.nodes.program;
     isa::Image image;
     if (program.path.extension() == ".s") {
-        image = isa::assemble_image(isa, program.path);
+        image = assemble(isa, machine);
     } else {
+        if (!machine.nodes.symbols.empty()) {
+            throw machine.error("nodes.symbols", {},
+                                "the program " + program.text + " is not assembled",
+                                "no symbols, or a program whose name ends in .s");
+        }
         try {
             image = read_image(machine);
         } catch (const isa::ImageError& problem) {

@@ -156,6 +156,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     const isa::Isa& isa = select_isa(registry, description);
     const auto image = std::make_shared<const isa::Image>(load_program(isa, description));
     const topology::Topology topology = make_wiring(description);
+    check_keys_matter(description, topology);
     const std::unique_ptr<HostJob> job = make_job(description, topology, *image);
     Machine machine(description, topology, isa, image);
     RunOutcome outcome;

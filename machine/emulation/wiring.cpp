@@ -1,13 +1,66 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/wiring.hpp"
 
+#include "machine/config/field.hpp"
+#include "machine/emulation/scene_kind.hpp"
 #include "topologies/registry.hpp"
 
+#include <algorithm>
 #include <exception>
 
 #include <fmt/format.h>
 
 namespace rasterloom::emulation {
+
+namespace {
+
+using config::MachineDescription;
+
+// A key, or the beginning of keys, without a use here, and where it has one.
+struct Idle {
+    std::string_view beginning;
+    std::string_view useful;
+};
+
+bool matches(const std::string& path, std::string_view beginning) {
+    return beginning.ends_with('.') ? path.starts_with(beginning) : path == beginning;
+}
+
+std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::Topology& topology) {
+    std::vector<Idle> idle;
+    const auto add = [&idle](std::string_view useful,
+                             std::initializer_list<std::string_view> beginnings) {
+        for (const std::string_view beginning : beginnings) {
+            idle.push_back({beginning, useful});
+        }
+    };
+    if (topology.tiling) {
+        add("a machine that is a graph: here fabric.* says what lies between",
+            {"links.time_per_byte", "links.time_per_message", "links.latency", "links.input_queue",
+             "links.send", "scene.routing"});
+        if (!machine.fabric.half_digested) {
+            add("fabric.half_digested", {"links.output_queue"});
+        }
+    } else {
+        add("a machine that deals out the screen: here links.* says what lies between",
+            {"fabric.", "host."});
+    }
+    if (!machine.scene) {
+        return idle;
+    }
+    const SceneKind kind = scene_kind(machine);
+    if (kind != SceneKind::object) {
+        add("an object or mesh as the scene",
+            {"scene.size", "scene.normals", "scene.rotate.", "scene.routing", "scene.scale",
+             "scene.translate", "scene.vanishing_distance", "scene.light", "scene.ambient"});
+    }
+    if (kind != SceneKind::polygon_scene) {
+        add("a polygon scene", {"scene.model", "scene.polygons", "scene.seed"});
+    }
+    return idle;
+}
+
+}  // namespace
 
 topology::Topology make_wiring(const config::MachineDescription& machine) {
     const auto& wanted = machine.topology;
@@ -20,6 +73,39 @@ topology::Topology make_wiring(const config::MachineDescription& machine) {
     } catch (
         const std::exception& problem) {  // what is wrong inside a graph's file, place included
         throw machine.error("topology.file", {}, problem.what());
+    }
+}
+
+topology::Distribution make_distribution(const MachineDescription& machine,
+                                         const topology::Topology& topology) {
+    try {
+        return topology::distribute(*topology.tiling, static_cast<int>(machine.screen.width),
+                                    static_cast<int>(machine.screen.height));
+    } catch (const topology::TilingError& problem) {
+        const bool is_x = problem.axis() == topology::CutAxis::x;
+        const std::string key = is_x ? "topology.columns" : "topology.rows";
+        throw machine.error(machine.written.contains(key) ? key : "topology", {}, problem.what());
+    }
+}
+
+void check_keys_matter(const MachineDescription& machine, const topology::Topology& topology) {
+    const std::vector<Idle> idle = idle_keys(machine, topology);
+    MachineDescription defaults;
+    defaults.scene.emplace();
+    for (const config::Field& field : config::machine_fields()) {
+        if (!machine.written.contains(field.path)) {
+            continue;
+        }
+        const auto found = std::find_if(idle.begin(), idle.end(), [&](const Idle& key) {
+            return matches(field.path, key.beginning);
+        });
+        if (found == idle.end()) {
+            continue;
+        }
+        if (const std::string value = field.write(machine); value != field.write(defaults)) {
+            throw machine.error(field.path, value, "has no effect here",
+                                fmt::format("the default, or {}", found->useful));
+        }
     }
 }
 

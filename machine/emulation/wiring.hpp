@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The description's topology, made and checked.
+// The description's topology and, where the machine deals out the screen, who owns which pixels;
+// made and checked.
 #pragma once
 
 #include "machine/config/description.hpp"
+#include "topologies/tiling.hpp"
 #include "topologies/topology.hpp"
 
 namespace rasterloom::emulation {
 
 // Throws ConfigError that points at the kind or parameter which is wrong.
 topology::Topology make_wiring(const config::MachineDescription& machine);
+
+// `topology` has a tiling. Throws ConfigError that points at the side which does not divide the
+// screen.
+topology::Distribution make_distribution(const config::MachineDescription& machine,
+                                         const topology::Topology& topology);
+
+// Refuses a value other than the default under a key that such a machine has no use for, as
+// links.latency where there are no links. Throws ConfigError.
+void check_keys_matter(const config::MachineDescription& machine,
+                       const topology::Topology& topology);
 
 }  // namespace rasterloom::emulation

@@ -141,6 +141,16 @@ TEST(Assembler, TakesDefinitionsFromOutside) {
         ElementsAre(12));
 }
 
+TEST(Assembler, TellsWhichDefinitionsTheSourceNeverAsksFor) {
+    const auto unused = [](const char* source) {
+        return assemble(source, {.include_dirs = {}, .defines = {{"big", 12}, {"fast", 1}}})
+            .unused_defines;
+    };
+    EXPECT_THAT(unused(".word big"), ElementsAre("fast"));
+    EXPECT_THAT(unused(".ifndf fast\nfast = 0\n.endc\nx = big"), ElementsAre());
+    EXPECT_THAT(unused("fats = 1"), ElementsAre("big", "fast"));
+}
+
 TEST(Assembler, LetsASymbolNameARegister) {
     EXPECT_THAT(words("r0 = %0\np = r4\nmov #'p, (p)+"), ElementsAre(012724, 'p'));
     EXPECT_THAT(words("ptr = r4\nmov (ptr)+, 2(ptr)"), ElementsAre(012464, 2));
