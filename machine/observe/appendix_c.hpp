@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The statistics of Parks 1982, appendix C, for one processor and a frame or several, and what its
+// program's sections cost; taken from the run itself.
+//
+// The thesis' formula: Gt a polygon, Vt a vertex, St a segment, Pt a pixel (2.7). Its appendix
+// charges every polygon one segment at least: with heights [0]=85 and 357 segments, figure 15's
+// interlace processor 3 is charged for 442 (C.6).
+#pragma once
+
+#include "machine/node/message.hpp"
+#include "machine/observe/distribution.hpp"
+#include "machine/observe/pixel_fit.hpp"
+
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace rasterloom::observe {
+
+// Parts of the program, from tap to tap. `other` is what belongs to no polygon: the program's
+// beginning, the end of a frame.
+enum class Section : std::uint8_t { polygon, vertex, segment, pixel, other };
+inline constexpr int kSections = 5;
+
+struct AppendixC {
+    Distribution vertices;  // v: vertices a polygon
+    Distribution heights;   // y: assigned lines a polygon, 0 included
+    Distribution lengths;   // l: assigned pixels a segment, 0 included
+    Distribution depth;     // D: polygons that cover an assigned pixel
+    Distribution areas;     // assigned pixels a polygon
+
+    std::int64_t edges = 0;                        // set up by the program, on either side
+    std::int64_t drawn = 0;                        // pixels that passed the depth test
+    std::array<std::int64_t, kSections> cycles{};  // executed; stalls are none
+    PixelFit pixel_fit;
+
+    std::int64_t polygons() const { return vertices.points(); }
+    std::int64_t vertex_count() const { return vertices.sum(); }
+    std::int64_t segments() const { return heights.sum(); }
+    std::int64_t pixels() const { return areas.sum(); }
+    // As the thesis charges them.
+    std::int64_t charged_segments() const { return segments() + heights.count(0); }
+    std::int64_t in(Section section) const { return cycles[static_cast<std::size_t>(section)]; }
+    // Of the four sections that the formula speaks of.
+    std::int64_t scene_cycles() const { return all_cycles() - in(Section::other); }
+    std::int64_t all_cycles() const {
+        return std::accumulate(cycles.begin(), cycles.end(), std::int64_t{0});
+    }
+
+    void add(const AppendixC& other);
+};
+
+// Cycles a polygon, vertex, segment and pixel.
+struct ItemCosts {
+    double polygon = 0;
+    double vertex = 0;
+    double segment = 0;
+    double pixel = 0;
+};
+inline constexpr ItemCosts kThesisCosts{139, 319.3, 158, 21};
+
+double formula_cycles(const AppendixC& statistics, const ItemCosts& costs = kThesisCosts);
+// Of the formula against the emulated cycles: 0.02 is 2 % too many. 0 when nothing was executed.
+double formula_error(const AppendixC& statistics);
+// The program's own: cycles of each section over what the formula multiplies; 0 for none.
+ItemCosts own_costs(const AppendixC& statistics);
+
+struct AppendixCNode {
+    NodeIndex node = 0;
+    std::string name;
+    std::vector<AppendixC> frames;
+
+    AppendixC all() const;
+};
+
+struct AppendixCReport {
+    std::string machine;
+    std::vector<AppendixCNode> nodes;
+    std::int64_t frames = 0;
+};
+
+}  // namespace rasterloom::observe
