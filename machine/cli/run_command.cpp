@@ -8,12 +8,18 @@
 #include "machine/emulation/run.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
+#include "machine/observe/appendix_c_files.hpp"
+#include "machine/observe/appendix_c_text.hpp"
 #include "machine/observe/output_folder.hpp"
 #include "machine/observe/statistics_files.hpp"
 #include "machine/observe/summary.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -28,6 +34,7 @@ struct RunCommandOptions {
     ConfigOptions config;
     std::string out;
     bool compare = false;
+    std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
     bool quiet = false;
 };
@@ -51,6 +58,12 @@ void write_statistics(const emulation::RunOutcome& outcome, const observe::Outpu
                               observe::statistics_json(outcome.report));
     observe::write_file_whole(folder.file("nodes.csv"), observe::nodes_csv(outcome.report));
     observe::write_file_whole(folder.file("links.csv"), observe::links_csv(outcome.report));
+    if (outcome.appendix_c) {
+        observe::write_file_whole(folder.file("appendix-c.json"),
+                                  observe::appendix_c_json(*outcome.appendix_c));
+        observe::write_file_whole(folder.file("appendix-c.csv"),
+                                  observe::appendix_c_csv(*outcome.appendix_c));
+    }
 }
 
 void print_comparison(const emulation::RunOutcome& outcome, int background) {
@@ -63,6 +76,32 @@ void print_comparison(const emulation::RunOutcome& outcome, int background) {
             "greatest difference {}\n",
             frame, 100 * same.all.share_within(kMatchLevels),
             100 * same.covered.share_within(kMatchLevels), kMatchLevels, same.all.greatest());
+    }
+}
+
+constexpr const char* kTable = "table";  // --appendix-c without a value
+constexpr const char* kAll = "all";
+
+// The processors that are to be shown in full.
+std::vector<std::string> asked_for(const std::string& appendix_c) {
+    std::vector<std::string> names;
+    std::istringstream text(appendix_c);
+    for (std::string name; std::getline(text, name, ',');) {
+        if (name != kTable && name != kAll) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+void print_appendix_c(const RunCommandOptions& options, const observe::AppendixCReport& report) {
+    fmt::print("\n{}", observe::appendix_c_table(report));
+    const std::vector<std::string> names = asked_for(options.appendix_c);
+    for (const observe::AppendixCNode& node : report.nodes) {
+        if (options.appendix_c == kAll ||
+            std::find(names.begin(), names.end(), node.name) != names.end()) {
+            fmt::print("\n{}", observe::appendix_c_of(node));
+        }
     }
 }
 
@@ -81,8 +120,12 @@ void print_outcome(const RunCommandOptions& options, const config::MachineDescri
             fmt::print("\n{}\n", outcome.remarks);
         }
     }
+    if (outcome.appendix_c) {
+        print_appendix_c(options, *outcome.appendix_c);
+    }
     if (options.compare) {
-        print_comparison(outcome, machine.scene ? static_cast<int>(machine.scene->background.value_or(0)) : 0);
+        print_comparison(
+            outcome, machine.scene ? static_cast<int>(machine.scene->background.value_or(0)) : 0);
     }
 }
 
@@ -101,6 +144,8 @@ void run(const RunCommandOptions& options, Session& session) {
         run_options.messages_csv = folder->file("messages.csv");
     }
     run_options.reference_pictures = options.compare;
+    run_options.appendix_c = !options.appendix_c.empty();
+    run_options.appendix_c_of = asked_for(options.appendix_c);
     ProgressBar bar(!options.quiet);
     if (bar.visible()) {
         run_options.progress = [&bar](const emulation::Progress& progress) { bar.show(progress); };
@@ -148,6 +193,10 @@ void add_run_command(CLI::App& app, Session& session) {
     command->add_flag("--no-files", options->no_files, "Write no files");
     command->add_flag("--compare", options->compare,
                       "Compare each picture with the reference renderer's");
+    command->add_flag(
+        "--appendix-c{table}", options->appendix_c,
+        "Statistics of every processor as in Parks' appendix C: a table, appendix-c.json and "
+        "appendix-c.csv. --appendix-c=P3,P7 and --appendix-c=all print all data of processors");
     command->add_flag("--quiet", options->quiet, "No summary, no progress bar");
     command->callback([options, &session] { run(*options, session); });
 }

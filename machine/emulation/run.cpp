@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/run.hpp"
 
+#include "machine/config/error.hpp"
+#include "machine/emulation/appendix_c_collector.hpp"
 #include "machine/emulation/job.hpp"
 #include "machine/emulation/machine.hpp"
 #include "machine/emulation/programs.hpp"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -149,6 +152,36 @@ void attach(Machine& machine, observe::PhaseLog& phases, NodeListener* messages,
     }
 }
 
+void tap(std::optional<AppendixCCollector>& collector, const RunOptions& options,
+         const isa::Image& image, const topology::Topology& topology, const Machine& machine) {
+    std::vector<std::string> names;
+    for (const topology::Node& node : topology.nodes) {
+        names.push_back(node.name);
+    }
+    for (const std::string& name : options.appendix_c_of) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            config::refuse({"--appendix-c", 0, 0}, {}, name, "no such processor",
+                           "names as `rasterloom describe` shows them, or all",
+                           config::nearest_name(name, names));
+        }
+    }
+    try {
+        collector.emplace(image, machine.processors());
+    } catch (const std::invalid_argument& error) {
+        config::refuse({"--appendix-c", 0, 0}, {}, {}, error.what(),
+                       "a machine that draws polygons with pdp11/tiler.s");
+    }
+}
+
+observe::AppendixCReport gather_appendix_c(AppendixCCollector& collector,
+                                           const observe::RunReport& report) {
+    std::vector<std::string> names;
+    for (const observe::NodeReport& node : report.nodes) {
+        names.push_back(node.name);
+    }
+    return collector.finish(report.machine, names);
+}
+
 }  // namespace
 
 RunOutcome run_machine(const MachineDescription& description, const RunOptions& options) {
@@ -172,6 +205,10 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         messages.emplace(*options.messages_csv);
     }
     attach(machine, phases, messages ? &*messages : nullptr, collector ? &*collector : nullptr);
+    std::optional<AppendixCCollector> appendix_c;
+    if (options.appendix_c) {
+        tap(appendix_c, options, *image, topology, machine);
+    }
 
     const auto start = WallClock::now();
     const RunResult result = run_in_slices(machine, description, options);
@@ -179,6 +216,9 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
 
     outcome.failure = failure_of(result, description, machine);
     outcome.report = gather_report(description, topology, *image, machine, phases, result.time);
+    if (appendix_c) {
+        outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);
+    }
     if (messages) {
         messages->close();
     }

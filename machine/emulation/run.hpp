@@ -5,6 +5,7 @@
 #include "machine/config/description.hpp"
 #include "machine/host/picture.hpp"
 #include "machine/kernel/failure.hpp"
+#include "machine/observe/appendix_c.hpp"
 #include "machine/observe/run_report.hpp"
 
 #include <filesystem>
@@ -28,6 +29,9 @@ struct RunOptions {
     // Where to stream messages.csv to; none: not written.
     std::optional<std::filesystem::path> messages_csv;
     bool reference_pictures = false;
+    // Statistics as in Parks' appendix C; the run takes somewhat longer.
+    bool appendix_c = false;
+    std::vector<std::string> appendix_c_of;  // processors that somebody will want to see
     // Called now and then while the machine runs; about ten times a second of wall time.
     std::function<void(const Progress&)> progress;
 };
@@ -35,11 +39,12 @@ struct RunOptions {
 struct RunOutcome {
     // Why the machine did not finish: guest error, deadlock, time limit. Empty when it did.
     std::string failure;
-    observe::RunReport report;              // also of a failed run, as far as it went
-    std::vector<host::Picture> pictures;    // one a frame
-    std::vector<host::Picture> references;  // likewise, if asked for
-    std::string remarks;                    // on how the object was prepared
-    double wall_seconds = 0;                // of the run itself, building and loading not counted
+    observe::RunReport report;                           // also of a failed run, as far as it went
+    std::vector<host::Picture> pictures;                 // one a frame
+    std::vector<host::Picture> references;               // likewise, if asked for
+    std::optional<observe::AppendixCReport> appendix_c;  // if asked for
+    std::string remarks;                                 // on how the object was prepared
+    double wall_seconds = 0;  // of the run itself, building and loading not counted
 };
 
 // Throws ConfigError and isa::AssemblyError for what is wrong with the input, OutputError for
