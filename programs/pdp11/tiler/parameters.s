@@ -1,0 +1,83 @@
+; SPDX-License-Identifier: MIT
+; Memory: what the loader writes for this processor, tables, and the polygon in hand.
+
+; ---- constants of this processor; the loader fills everything from here to parameters_end
+        .even
+parameters:
+background:     .word   0               ; shade, s8.7, of a pixel without a polygon
+x_step:         .word   1               ; pixels from one column of the grid to the next
+x_shift:        .word   0               ; its logarithm to base 2, or -1 when it is no power of 2
+y_step:         .word   1               ; lines from one row to the next, likewise
+y_shift:        .word   0
+
+; Tables by coordinate, and their limits: a screen of at most max_size x max_size
+max_size = 1024.
+; [x], x = 0 to width: address of the depth word of the first assigned pixel that is not left of x; behind the last
+; column when there is none
+first_pixel:    .blkw   max_size+1
+; [x]: 0 when pixel x is assigned and x_step is 1; else 1 more than the distance from x to that pixel
+lead_at:        .blkw   max_size
+; row_at [y], y = -1 to height - 1: the highest row that is not above y, -1 when there is none. row_below [y] is the
+; highest one below y
+row_below:      .blkw   max_size+1
+row_at = row_below+2
+; [y]: 0 when line y is assigned and y_step is 1; else 1 more than the distance from y down to that row's line
+lag_at:         .blkw   max_size
+; [row]: its y
+line_of:        .blkw   max_size
+parameters_end:
+
+; ---- the polygon's message as it was received
+message:        .blkb   2               ; kind, hops
+vertex_count:   .blkw   1               ; 0: the frame ends
+vertices:       .blkw   14.*4           ; x, y, z, shade each
+                .blkb   256.-<.-message>        ; the longest message
+; Places of a vertex' words, from its y: pointers to vertices hold the address of y.
+at_x = -2
+at_z = 2
+at_shade = 4
+vertex_size = 10
+first_y = vertices+2                    ; of the first vertex
+vertices_end:   .blkw   1               ; first_y of one behind the last
+
+; ---- its progress
+row:            .blkw   1               ; of the present line
+end_row:        .blkw   1               ; the row below the polygon's last one
+lines:          .blkw   1               ; to be drawn, from the present one, until a side comes to its next vertex
+left_next:      .blkw   1               ; the lower vertex of the left side's edge
+right_next:     .blkw   1
+left_row:       .blkw   1               ; the highest row that is not above it
+right_row:      .blkw   1
+
+; ---- its sides on the present line, and what is added from line to line. Full precision: 32 bits, high word first, 16 of them
+; fraction. The words are used from the last to the first, because -(r) costs a cycle less than (r)+ and X(r).
+        .if ne full
+value_size = 4
+        .iff
+value_size = 2
+        .endc
+left_x:         .blkb   value_size
+left_z:         .blkb   value_size
+left_shade:     .blkb   value_size
+left_end:
+right_x:        .blkb   value_size
+right_z:        .blkb   value_size
+right_shade:    .blkb   value_size
+right_end:
+left_deltas:    .blkb   3*value_size
+left_deltas_end:
+right_deltas:   .blkb   3*value_size
+right_deltas_end:
+to_delta = left_deltas-left_x           ; from a value to its delta
+
+; ---- the present segment: what is added from pixel to pixel
+pixel_dz:       .blkw   2
+pixel_dshade:   .blkw   1
+
+; ---- temporaries
+lag:            .blkw   1               ; from a vertex down to the present line
+lead:           .blkw   1               ; from a segment's left end to its first assigned pixel
+whole:          .blkw   1               ; a slope's parts
+fraction:       .blkw   1
+start_z:        .blkw   2               ; at that pixel
+start_shade:    .blkw   2
