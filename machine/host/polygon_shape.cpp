@@ -20,20 +20,17 @@ std::int64_t turn(const PolygonVertex& a, const PolygonVertex& b, const PolygonV
     return std::int64_t{b.x - a.x} * (c.y - b.y) - std::int64_t{b.y - a.y} * (c.x - b.x);
 }
 
-// How often a coordinate changes between growing and falling on the way round.
-template <typename Coordinate>
-int reversals(std::span<const PolygonVertex> outline, Coordinate coordinate) {
-    int first = 0, last = 0, count = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const int step = coordinate(outline[(i + 1) % outline.size()]) - coordinate(outline[i]);
-        const int sign = (step > 0) - (step < 0);
-        if (sign == 0)
-            continue;
-        count += last != 0 && sign != last ? 1 : 0;
-        first = first == 0 ? sign : first;
-        last = sign;
-    }
-    return count + (first != last ? 1 : 0);
+// How often an outline that never turns right goes round: each time it begins to rise once.
+int rounds(std::span<const PolygonVertex> outline) {
+    const auto rises = [&](std::size_t k) {
+        const auto& a = outline[k % outline.size()];
+        const auto& b = outline[(k + 1) % outline.size()];
+        return a.y < b.y || (a.y == b.y && a.x < b.x);
+    };
+    int count = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        count += !rises(i) && rises(i + 1) ? 1 : 0;
+    return count;
 }
 
 [[noreturn]] void fail(std::size_t polygon, const std::string& what) {
@@ -92,8 +89,7 @@ bool is_convex(std::span<const PolygonVertex> outline) {
     for (std::size_t i = 0; i < count; ++i)
         if (turn(outline[i], outline[(i + 1) % count], outline[(i + 2) % count]) < 0)
             return false;
-    return reversals(outline, [](const auto& v) { return v.x; }) <= 2 &&
-           reversals(outline, [](const auto& v) { return v.y; }) <= 2;
+    return rounds(outline) <= 1;
 }
 
 void check_polygons(std::span<const Polygon> polygons, int width, int height) {
