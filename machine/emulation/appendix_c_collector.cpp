@@ -44,6 +44,9 @@ void AppendixCMeter::book(std::int64_t cycles, Section section) {
 
 void AppendixCMeter::tapped(const Tap& tap) {
     const TilerTap kind = taps_->kind(tap.address);
+    if (last_ == TilerTap::pixels && kind == TilerTap::pixels) {
+        return;  // the label stands in the loop, which has come round to it
+    }
     const bool idled = last_ == TilerTap::idle && kind == TilerTap::idle;
     if (last_ == TilerTap::pixels) {
         end_run(tap.core, tap.cycles - booked_until_);
@@ -111,7 +114,9 @@ void AppendixCMeter::end_run(const isa::Core& core, std::int64_t cycles) {
         drawn += changed ? 1 : 0;
     }
     frame_.drawn += drawn;
-    frame_.pixel_fit.add(drawn, run_.pixels - drawn, cycles);
+    if (run_.pixels > 1) {  // the tiler draws a single one without its loop
+        frame_.pixel_fit.add(drawn, run_.pixels - drawn, cycles);
+    }
 }
 
 void AppendixCMeter::end_segment() {

@@ -32,9 +32,9 @@ double formula_cycles(const AppendixC& statistics, const ItemCosts& costs) {
            costs.pixel * static_cast<double>(statistics.pixels());
 }
 
-double formula_error(const AppendixC& statistics) {
+double formula_error(const AppendixC& statistics, const ItemCosts& costs) {
     const auto emulated = static_cast<double>(statistics.scene_cycles());
-    return emulated > 0 ? formula_cycles(statistics) / emulated - 1 : 0;
+    return emulated > 0 ? formula_cycles(statistics, costs) / emulated - 1 : 0;
 }
 
 ItemCosts own_costs(const AppendixC& statistics) {
@@ -48,6 +48,14 @@ AppendixC AppendixCNode::all() const {
     AppendixC sum;
     for (const AppendixC& frame : frames) {
         sum.add(frame);
+    }
+    return sum;
+}
+
+AppendixC AppendixCReport::all() const {
+    AppendixC sum;
+    for (const AppendixCNode& node : nodes) {
+        sum.add(node.all());
     }
     return sum;
 }

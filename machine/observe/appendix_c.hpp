@@ -63,7 +63,7 @@ inline constexpr ItemCosts kThesisCosts{139, 319.3, 158, 21};
 
 double formula_cycles(const AppendixC& statistics, const ItemCosts& costs = kThesisCosts);
 // Of the formula against the emulated cycles: 0.02 is 2 % too many. 0 when nothing was executed.
-double formula_error(const AppendixC& statistics);
+double formula_error(const AppendixC& statistics, const ItemCosts& costs = kThesisCosts);
 // The program's own: cycles of each section over what the formula multiplies; 0 for none.
 ItemCosts own_costs(const AppendixC& statistics);
 
@@ -79,6 +79,8 @@ struct AppendixCReport {
     std::string machine;
     std::vector<AppendixCNode> nodes;
     std::int64_t frames = 0;
+
+    AppendixC all() const;
 };
 
 }  // namespace rasterloom::observe

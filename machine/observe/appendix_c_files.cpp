@@ -34,7 +34,7 @@ Json costs_json(const ItemCosts& costs) {
             {"pixel", costs.pixel}};
 }
 
-Json statistics_json(const AppendixC& c) {
+Json statistics_json(const AppendixC& c, const ItemCosts& own) {
     Json json;
     json["polygons"] = c.polygons();
     json["vertices"] = c.vertex_count();
@@ -51,6 +51,8 @@ Json statistics_json(const AppendixC& c) {
     json["scene_u"] = c.scene_cycles();
     json["formula_u"] = formula_cycles(c);
     json["formula_error"] = formula_error(c);
+    json["own_formula_u"] = formula_cycles(c, own);
+    json["own_formula_error"] = formula_error(c, own);
     json["own_costs_u"] = costs_json(own_costs(c));
     if (const auto costs = c.pixel_fit.solve()) {
         json["pixel_costs_u"] = {
@@ -64,7 +66,8 @@ Json statistics_json(const AppendixC& c) {
     return json;
 }
 
-void add_row(std::string& text, const AppendixCNode& node, std::size_t frame) {
+void add_row(std::string& text, const AppendixCNode& node, std::size_t frame,
+             const ItemCosts& own) {
     const AppendixC& c = node.frames[frame];
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", frame, node.node, node.name, c.polygons(),
@@ -73,9 +76,10 @@ void add_row(std::string& text, const AppendixCNode& node, std::size_t frame) {
     for (const std::int64_t cycles : c.cycles) {
         fmt::format_to(out, ",{}", cycles);
     }
-    fmt::format_to(out, ",{},{:.1f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", c.scene_cycles(),
-                   formula_cycles(c), formula_error(c), c.heights.mean(), c.lengths.mean(),
-                   c.depth.mean(), c.areas.mean());
+    fmt::format_to(out, ",{},{:.1f},{:.6f},{:.1f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n",
+                   c.scene_cycles(), formula_cycles(c), formula_error(c), formula_cycles(c, own),
+                   formula_error(c, own), c.heights.mean(), c.lengths.mean(), c.depth.mean(),
+                   c.areas.mean());
 }
 
 }  // namespace
@@ -85,21 +89,20 @@ std::string appendix_c_json(const AppendixCReport& report) {
     json["machine"] = report.machine;
     json["frames"] = report.frames;
     json["thesis_costs_u"] = costs_json(kThesisCosts);
-    AppendixC all;
+    const AppendixC all = report.all();
+    const ItemCosts own = own_costs(all);
     Json nodes = Json::array();
     for (const AppendixCNode& node : report.nodes) {
-        const AppendixC sum = node.all();
-        all.add(sum);
         Json frames = Json::array();
         for (const AppendixC& frame : node.frames) {
-            frames.push_back(statistics_json(frame));
+            frames.push_back(statistics_json(frame, own));
         }
         nodes.push_back({{"node", node.node},
                          {"name", node.name},
-                         {"all_frames", statistics_json(sum)},
+                         {"all_frames", statistics_json(node.all(), own)},
                          {"frames", std::move(frames)}});
     }
-    json["all_nodes"] = statistics_json(all);
+    json["all_nodes"] = statistics_json(all, own);
     json["nodes"] = std::move(nodes);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -110,10 +113,13 @@ std::string appendix_c_csv(const AppendixCReport& report) {
     for (const std::string_view section : kSectionNames) {
         text += fmt::format(",{}_u", section);
     }
-    text += ",scene_u,formula_u,formula_error,mean_height,mean_length,mean_depth,mean_area\n";
+    text +=
+        ",scene_u,formula_u,formula_error,own_formula_u,own_formula_error,mean_height,mean_length,"
+        "mean_depth,mean_area\n";
+    const ItemCosts own = own_costs(report.all());
     for (const AppendixCNode& node : report.nodes) {
         for (std::size_t frame = 0; frame < node.frames.size(); ++frame) {
-            add_row(text, node, frame);
+            add_row(text, node, frame, own);
         }
     }
     return text;

@@ -15,14 +15,16 @@ double percent(std::int64_t part, std::int64_t whole) {
     return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-void add_row(std::string& text, const std::string& name, const AppendixC& c) {
+void add_row(std::string& text, const std::string& name, const AppendixC& c, const ItemCosts& own) {
     const auto share = [&](Section section) { return percent(c.in(section), c.scene_cycles()); };
-    fmt::format_to(std::back_inserter(text),
-                   "{:<12}{:>9}{:>9}{:>9}{:>10}{:>12}{:>14.1f}{:>8.2f}%{:>8.1f}%{:>8.1f}%{:>8.1f}%{"
-                   ":>8.1f}%\n",
-                   name, c.polygons(), c.vertex_count(), c.segments(), c.pixels(), c.scene_cycles(),
-                   formula_cycles(c), 100 * formula_error(c), share(Section::polygon),
-                   share(Section::vertex), share(Section::segment), share(Section::pixel));
+    fmt::format_to(
+        std::back_inserter(text),
+        "{:<12}{:>9}{:>9}{:>9}{:>10}{:>12}{:>14.1f}{:>+8.2f}%{:>+8.2f}%{:>8.1f}%{:>8.1f}%{:>8.1f}%{"
+        ":>8.1f}%\n",
+        name, c.polygons(), c.vertex_count(), c.segments(), c.pixels(), c.scene_cycles(),
+        formula_cycles(c), 100 * formula_error(c), 100 * formula_error(c, own),
+        share(Section::polygon), share(Section::vertex), share(Section::segment),
+        share(Section::pixel));
 }
 
 void add_costs(std::string& text, const AppendixC& c) {
@@ -96,17 +98,16 @@ std::string appendix_c_table(const AppendixCReport& report) {
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "Appendix C of {}{}\n", report.machine,
                    report.frames > 1 ? fmt::format(", {} frames together", report.frames) : "");
-    fmt::format_to(out, "{:<12}{:>9}{:>9}{:>9}{:>10}{:>12}{:>14}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
+    fmt::format_to(out, "{:<12}{:>9}{:>9}{:>9}{:>10}{:>12}{:>14}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n",
                    "Processor", "polygons", "vertices", "segments", "pixels", "cycles", "formula",
-                   "error", "polygon", "vertex", "segment", "pixel");
-    AppendixC all;
+                   "error", "own", "polygon", "vertex", "segment", "pixel");
+    const AppendixC all = report.all();
+    const ItemCosts own = own_costs(all);
     for (const AppendixCNode& node : report.nodes) {
-        const AppendixC sum = node.all();
-        add_row(text, node.name, sum);
-        all.add(sum);
+        add_row(text, node.name, node.all(), own);
     }
     if (report.nodes.size() > 1) {
-        add_row(text, "all", all);
+        add_row(text, "all", all, own);
     }
     add_costs(text, all);
     return text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pixel costs that is drawn, and one that is hidden: least squares over the runs of pixels
-// that a processor went through,
+// What a pixel costs that is drawn, and one that is hidden: least squares over the runs of two
+// pixels and more that a processor went through,
 //
 //     cycles = a run + drawn x pixels drawn + hidden x pixels hidden
 //

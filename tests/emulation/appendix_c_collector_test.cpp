@@ -44,13 +44,16 @@ class HandDriven {
         put(image_.symbol("vertex_count").value(), vertices);
         return at("tap_polygon", cycles);
     }
-    // The first `drawn` of the pixels are nearer than what stood there.
-    HandDriven& pixels(int row, int column, int count, int drawn, std::int64_t from,
-                       std::int64_t to) {
+    HandDriven& at_pixels(int row, int column, int count, std::int64_t cycles) {
         buffer_.select(row);
         core_->set_reg(5, kDepthWindow + 2 * static_cast<std::uint32_t>(column));
         core_->set_reg(6, static_cast<std::uint32_t>(count));
-        at("tap_pixels", from);
+        return at("tap_pixels", cycles);
+    }
+    // The first `drawn` of the pixels are nearer than what stood there.
+    HandDriven& pixels(int row, int column, int count, int drawn, std::int64_t from,
+                       std::int64_t to) {
+        at_pixels(row, column, count, from);
         for (int i = 0; i < drawn; ++i) {
             put(kDepthWindow + 2 * static_cast<std::uint32_t>(column + i), --nearest_);
         }
@@ -109,6 +112,16 @@ TEST(AppendixCMeter, BooksEveryCycleToOneSection) {
     EXPECT_EQ(c.in(Section::pixel), 100);
     EXPECT_EQ(c.in(Section::other), 10 + 60);
     EXPECT_EQ(c.all_cycles(), 260);
+}
+
+TEST(AppendixCMeter, TakesALabelInThePixelLoopForOneRun) {
+    HandDriven node;
+    node.at("tap_idle", 0).polygon(3, 0).at("tap_segment", 0).at_pixels(1, 2, 3, 10);
+    node.at_pixels(1, 3, 2, 20).at_pixels(1, 4, 1, 30).at("tap_pixels_done", 40);
+    const AppendixC c = node.finish(50).at(0);
+    EXPECT_THAT(c.lengths.counts(), ElementsAre(Pair(3, 1)));
+    EXPECT_EQ(c.depth.count(1), 3);
+    EXPECT_EQ(c.in(Section::pixel), 30);
 }
 
 TEST(AppendixCMeter, EndsAFrameWhenTheProgramWaitsAgainWithoutAPolygon) {

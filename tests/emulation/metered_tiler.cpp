@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "tests/emulation/metered_tiler.hpp"
+
+#include "isa/pdp11/pdp11.hpp"
+#include "machine/emulation/tiler_loader.hpp"
+#include "machine/node/registers.hpp"
+
+#include <stdexcept>
+
+namespace rasterloom::test {
+
+namespace {
+
+constexpr std::uint32_t kReceive =
+    kPortRegisters + static_cast<std::uint32_t>(PortRegister::rxaddr);
+
+constexpr std::uint32_t own(NodeRegister which) {
+    return kNodeRegisters + static_cast<std::uint32_t>(which);
+}
+
+std::vector<std::uint8_t> message_of(PolygonMessage kind, const Polygon& polygon) {
+    std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(kind), 0};
+    const auto add = [&](int value) {
+        bytes.push_back(static_cast<std::uint8_t>(value & 0xff));
+        bytes.push_back(static_cast<std::uint8_t>(value >> 8 & 0xff));
+    };
+    add(static_cast<int>(polygon.vertices.size()));
+    for (const PolygonVertex& v : polygon.vertices) {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+        add(v.shade);
+    }
+    return bytes;
+}
+
+}  // namespace
+
+MeteredTiler::MeteredTiler(const Program& program, const topology::PixelGrid& grid, int width,
+                           int height)
+    : core_(isa::pdp11::pdp11_isa().make_core(program.prepared, {})),
+      frame_buffer_(*core_, {.rows = grid.rows, .columns = grid.columns}),
+      taps_(program.image),
+      meter_(taps_, frame_buffer_) {
+    load_tiler(*core_, program.image, grid, {width, height, 0});
+    core_->set_program_counter(program.image.entry);
+}
+
+void MeteredTiler::draw(const Frames& frames, bool metered) {
+    for (const auto& frame : frames) {
+        for (const Polygon& polygon : frame) {
+            messages_.push_back(message_of(PolygonMessage::polygon, polygon));
+        }
+        messages_.push_back(message_of(PolygonMessage::end_of_frame, {}));
+    }
+    frames_left_ = frames.size();
+    core_->set_taps(metered ? taps_.addresses() : std::vector<std::uint32_t>());
+    while (true) {
+        isa::Stop stop = core_->run(100'000);
+        cycles_ += stop.cycles;
+        if (stop.reason == isa::StopReason::io) {
+            stop = core_->step(*this);
+            cycles_ += stop.cycles;
+        }
+        if (stop.reason == isa::StopReason::tap) {
+            meter_.tapped({0, core_->program_counter(), cycles_, Time::zero(), *core_});
+        } else if (stop.reason == isa::StopReason::halt) {
+            return;
+        } else if (stop.reason != isa::StopReason::budget) {
+            throw std::runtime_error("the tiler stops: " + (stop.trap ? stop.trap->what : ""));
+        }
+    }
+}
+
+isa::Bus::Read MeteredTiler::read(std::uint32_t address, int) {
+    if (address != own(NodeRegister::phase)) {
+        return {};
+    }
+    return {Status::ok, frames_left_ == 0 ? 0177777U : 0U};
+}
+
+isa::Bus::Status MeteredTiler::write(std::uint32_t address, std::uint32_t value, int) {
+    if (address == kReceive) {
+        core_->write_memory(value, messages_.front());
+        messages_.pop_front();
+    } else if (address == kFbRow) {
+        frame_buffer_.select(static_cast<int>(value));
+    } else if (address == kFbClear) {
+        frame_buffer_.clear(static_cast<std::uint16_t>(value));
+    } else if (address == own(NodeRegister::credit)) {
+        --frames_left_;
+    } else if (address != own(NodeRegister::waitfor)) {
+        return Status::fault;
+    }
+    return Status::ok;
+}
+
+}  // namespace rasterloom::test
