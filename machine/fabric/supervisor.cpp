@@ -18,7 +18,8 @@ Supervisor::Supervisor(std::string name, const Settings& settings)
     require(settings.phases_per_frame >= 1, "a frame has at least 1 phase");
     require(settings.frames >= 1, "a run has at least 1 frame");
     require(settings.nodes >= 1, "a supervisor has at least 1 node");
-    processors_.resize(static_cast<std::size_t>(settings.nodes));
+    nodes_.resize(static_cast<std::size_t>(settings.nodes));
+    processors_.resize(nodes_.size());
     for (int node = 0; node < settings.nodes; ++node) {
         add_port(fmt::format("node {}", node));
     }
@@ -30,8 +31,13 @@ Duration Supervisor::up() const {
 
 void Supervisor::connect(Simulation& simulation, int index, Processor& node) {
     processors_[static_cast<std::size_t>(index)] = &node;
+    connect(simulation, index, node, node.supervisor_port());
+}
+
+void Supervisor::connect(Simulation& simulation, int index, Component& node, PortIndex port) {
+    nodes_[static_cast<std::size_t>(index)] = &node;
     // A wire takes the same time either way; the odd tick is added to the announcement.
-    simulation.connect(*this, static_cast<PortIndex>(index), node, node.supervisor_port(), up());
+    simulation.connect(*this, static_cast<PortIndex>(index), node, port, up());
 }
 
 void Supervisor::handle(const Event& event) {
@@ -55,10 +61,21 @@ void Supervisor::handle(const Event& event) {
 }
 
 void Supervisor::fail_count(const Event& event, const std::string& what) {
-    const Processor& processor = *processors_[static_cast<std::size_t>(event.port)];
-    scheduler().fail(processor.mistake(
-        now() - up(), credit_of(event.payload).program_counter,
-        fmt::format("{}, in phase {} of frame {}", what, current_.phase, current_.frame)));
+    const auto node = static_cast<std::size_t>(event.port);
+    const std::string where =
+        fmt::format("{}, in phase {} of frame {}", what, current_.phase, current_.frame);
+    if (processors_[node] == nullptr) {
+        scheduler().fail(std::make_shared<CreditError>(now() - up(), nodes_[node]->name(), where));
+        return;
+    }
+    scheduler().fail(
+        processors_[node]->mistake(now() - up(), credit_of(event.payload).program_counter, where));
+}
+
+std::string CreditError::message() const {
+    return fmt::format(
+        "at {}: {}: {}; this node runs no program, so another has given back more than it had",
+        to_string(time()), component(), what_);
 }
 
 void Supervisor::end_phase() {

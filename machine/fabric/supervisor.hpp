@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rasterloom {
@@ -25,6 +26,18 @@ struct PhaseRecord {
     int phase = 0;  // within its frame
     Time began;     // the nodes saw it
     Time ended;     // the count was zero
+};
+
+// A node that runs no program gave a credit that the count does not allow: so some program gave
+// back more than it had.
+class CreditError final : public Failure {
+  public:
+    CreditError(Time time, std::string component, std::string what)
+        : Failure(time, std::move(component)), what_(std::move(what)) {}
+    std::string message() const override;
+
+  private:
+    std::string what_;
 };
 
 class SupervisorListener {
@@ -48,8 +61,10 @@ class Supervisor final : public Component {
     // Throws std::invalid_argument when a setting is out of range.
     Supervisor(std::string name, const Settings& settings);
 
-    // Lays the wire to node number `index`, 0 to nodes - 1.
+    // Lays the wire to node number `index`, 0 to nodes - 1: a processor...
     void connect(Simulation& simulation, int index, Processor& node);
+    // ...or another component that keeps the protocol of SupervisorEvent at one of its ports.
+    void connect(Simulation& simulation, int index, Component& node, PortIndex port);
 
     bool over() const { return over_; }
     const PhaseRecord& phase() const { return current_; }  // in progress
@@ -65,7 +80,8 @@ class Supervisor final : public Component {
     void fail_count(const Event& event, const std::string& what);
 
     Settings settings_;
-    std::vector<const Processor*> processors_;  // by port
+    std::vector<const Component*> nodes_;       // by port
+    std::vector<const Processor*> processors_;  // likewise; null for another component
     std::int64_t outstanding_;
     bool over_ = false;
     PhaseRecord current_;

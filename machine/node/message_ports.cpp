@@ -11,9 +11,16 @@
 
 namespace rasterloom {
 
+namespace {
+
+constexpr int kFirstPlaces = 32;  // of an input queue, to begin with
+
+}  // namespace
+
 MessagePorts::MessagePorts(NodeIndex node, const Settings& settings)
     : node_(node),
       output_queue_(settings.output_queue),
+      input_queue_(settings.input_queue),
       send_(settings.send),
       transmitting_(settings.transmitting),
       receiving_(settings.receiving) {
@@ -32,7 +39,8 @@ MessagePorts::MessagePorts(NodeIndex node, const Settings& settings)
                 static_cast<std::size_t>(settings.output_queue + settings.input_queue));
         }
         if (receives(number)) {
-            at(number).arrived.resize(static_cast<std::size_t>(settings.input_queue));
+            at(number).arrived.resize(
+                static_cast<std::size_t>(std::min(settings.input_queue, kFirstPlaces)));
         }
     }
     room_ = transmitting_ & ((1U << static_cast<unsigned>(settings.ports)) - 1U);
@@ -124,12 +132,22 @@ void MessagePorts::link_ready(int port_number, Time now) {
     note_blocked(port, now);
 }
 
+void MessagePorts::grow_arrived(Port& port) const {
+    std::rotate(port.arrived.begin(), port.arrived.begin() + port.oldest_arrived,
+                port.arrived.end());
+    port.oldest_arrived = 0;
+    port.arrived.resize(std::min(static_cast<std::size_t>(input_queue_), 2 * port.arrived.size()));
+}
+
 bool MessagePorts::deliver(int port_number, Message* message, Time now) {
     Port& port = at(port_number);
-    const auto capacity = static_cast<std::uint32_t>(port.arrived.size());
-    if (port.waiting == static_cast<int>(capacity)) {
+    if (port.waiting == input_queue_) {
         return false;
     }
+    if (port.waiting == static_cast<int>(port.arrived.size())) {
+        grow_arrived(port);
+    }
+    const auto capacity = static_cast<std::uint32_t>(port.arrived.size());
     message->delivered = now;
     port.arrived[(port.oldest_arrived + static_cast<std::uint32_t>(port.waiting)) % capacity] =
         message;

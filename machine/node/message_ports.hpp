@@ -52,6 +52,7 @@ class MessagePorts {
     int count() const { return static_cast<int>(ports_.size()); }
     bool transmits(int port) const { return port < count() && (transmitting_ >> port & 1U) != 0; }
     bool receives(int port) const { return port < count() && (receiving_ >> port & 1U) != 0; }
+    int input_queue() const { return input_queue_; }
     const PortStatistics& statistics(int port) const { return at(port).statistics; }
 
     // Output.
@@ -86,7 +87,7 @@ class MessagePorts {
         bool in_transfer = false;
         bool link_ready = true;
         std::optional<Time> blocked_since;
-        // Input: a ring.
+        // Input: a ring, which grows up to the input queue's places as they are needed.
         std::vector<Message*> arrived;
         std::uint32_t oldest_arrived = 0;
         int waiting = 0;
@@ -99,9 +100,11 @@ class MessagePorts {
     const Port& at(int port) const { return ports_[static_cast<std::size_t>(port)]; }
     std::optional<int> next_sender() const;
     static void note_blocked(Port& port, Time now);
+    void grow_arrived(Port& port) const;
 
     NodeIndex node_;
     int output_queue_;
+    int input_queue_;
     SendPolicy send_;
     std::uint32_t transmitting_;
     std::uint32_t receiving_;

@@ -141,7 +141,7 @@ class Processor final : public Component, private isa::Bus {
     Status write_frame_buffer(std::uint32_t address, std::uint32_t value);
     Status select_row(std::uint32_t row);
     Status write_image_window(std::uint32_t address, std::uint32_t value);
-    Status write_image_over_bus(std::uint32_t column, std::uint32_t value);
+    Status ask_for_bus(std::uint32_t column);
 
     struct PortState {
         std::uint32_t transmit_address = 0;

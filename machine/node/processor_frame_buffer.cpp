@@ -15,7 +15,7 @@ void Processor::add_frame_buffer(const FrameBuffer::Settings& settings) {
     } catch (const std::invalid_argument& problem) {
         throw std::invalid_argument(fmt::format("{}: {}", name(), problem.what()));
     }
-    if (settings.over_bus) {
+    if (settings.image == ImagePath::bus) {
         add_port("frame buffer");
     }
 }
@@ -49,7 +49,7 @@ isa::Bus::Status Processor::select_row(std::uint32_t row) {
 }
 
 isa::Bus::Status Processor::write_image_window(std::uint32_t address, std::uint32_t value) {
-    if (!frame_buffer_ || !frame_buffer_->over_bus() || address % 2 != 0 ||
+    if (!frame_buffer_ || frame_buffer_->image_path() == ImagePath::memory || address % 2 != 0 ||
         address < kBusImageWindow) {
         return Status::fault;
     }
@@ -60,18 +60,17 @@ isa::Bus::Status Processor::write_image_window(std::uint32_t address, std::uint3
     if (!frame_buffer_->selected()) {
         return refuse("an image word is written before FBROW has selected a row");
     }
-    return write_image_over_bus(column, value);
+    if (frame_buffer_->image_path() == ImagePath::bus && !pixel_written_) {
+        return ask_for_bus(column);
+    }
+    pixel_written_ = false;
+    ++accesses_;
+    frame_buffer_->write_image(static_cast<int>(column), static_cast<std::uint16_t>(value));
+    return Status::ok;
 }
 
-// The write is tried twice: at first it asks for the bus and stalls; when the bus has taken the
-// word it is tried again and stands.
-isa::Bus::Status Processor::write_image_over_bus(std::uint32_t column, std::uint32_t value) {
-    if (pixel_written_) {
-        pixel_written_ = false;
-        ++accesses_;
-        frame_buffer_->write_image(static_cast<int>(column), static_cast<std::uint16_t>(value));
-        return Status::ok;
-    }
+// The write stalls; when the bus has taken the word it is tried again, and then it stands.
+isa::Bus::Status Processor::ask_for_bus(std::uint32_t column) {
     if (!reach_local_time()) {
         must_catch_up_ = true;
         return Status::retry;

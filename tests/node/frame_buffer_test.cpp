@@ -36,7 +36,7 @@ TEST(FrameBuffer, IsTheSameAsPlainArraysUnderRandomOperations) {
         const int rows = *rc::gen::inRange(1, 6);
         const int columns = *rc::gen::inRange(1, 9);
         ScriptCore core = idle_core();
-        FrameBuffer buffer(core, {rows, columns, false});
+        FrameBuffer buffer(core, {rows, columns});
         std::map<std::pair<int, int>, std::pair<int, int>> pixels;
         const auto clear = [&](int image) {
             for (int row = 0; row < rows; ++row) {
@@ -80,7 +80,7 @@ TEST(FrameBuffer, TouchesNothingOfTheMemoryButItsColumns) {
     ScriptCore core = idle_core();
     const std::vector<std::uint8_t> ones(kMemory, 1);
     core.write_memory(0, ones);
-    FrameBuffer buffer(core, {2, 3, false});
+    FrameBuffer buffer(core, {2, 3});
     buffer.select(1);
     buffer.clear(0x1234);
     for (std::uint32_t address = 0; address < kMemory; ++address) {
@@ -90,9 +90,9 @@ TEST(FrameBuffer, TouchesNothingOfTheMemoryButItsColumns) {
     }
 }
 
-TEST(FrameBuffer, OverTheBusLeavesTheImageWindowsMemoryAlone) {
+TEST(FrameBuffer, WithAnImageInTheIoPageLeavesTheImageWindowsMemoryAlone) {
     ScriptCore core = idle_core(kDepthWindow + 8);  // the image window need not be there
-    FrameBuffer buffer(core, {2, 4, true});
+    FrameBuffer buffer(core, {2, 4, ImagePath::io_page});
     buffer.select(1);
     buffer.write_image(3, 0x8001);
     buffer.select(0);
@@ -102,14 +102,14 @@ TEST(FrameBuffer, OverTheBusLeavesTheImageWindowsMemoryAlone) {
 
 TEST(FrameBuffer, RefusesSizesThatDoNotFit) {
     ScriptCore core = idle_core();
-    EXPECT_THROW(FrameBuffer(core, {0, 1, false}), std::invalid_argument);
-    EXPECT_THROW(FrameBuffer(core, {65537, 1, false}), std::invalid_argument);
-    EXPECT_THROW(FrameBuffer(core, {1, 0, false}), std::invalid_argument);
-    EXPECT_THROW(FrameBuffer(core, {1, 1025, false}), std::invalid_argument);
-    EXPECT_NO_THROW(FrameBuffer(core, {1, 1024, false}));
+    EXPECT_THROW(FrameBuffer(core, {0, 1}), std::invalid_argument);
+    EXPECT_THROW(FrameBuffer(core, {65537, 1}), std::invalid_argument);
+    EXPECT_THROW(FrameBuffer(core, {1, 0}), std::invalid_argument);
+    EXPECT_THROW(FrameBuffer(core, {1, 1025}), std::invalid_argument);
+    EXPECT_NO_THROW(FrameBuffer(core, {1, 1024}));
     ScriptCore small = idle_core(kImageWindow + 7);
-    EXPECT_NO_THROW(FrameBuffer(small, {1, 3, false}));
-    EXPECT_THROW(FrameBuffer(small, {1, 4, false}), std::invalid_argument);
+    EXPECT_NO_THROW(FrameBuffer(small, {1, 3}));
+    EXPECT_THROW(FrameBuffer(small, {1, 4}), std::invalid_argument);
 }
 
 // Acts every microsecond, so that whoever needs exact time has to give up control.
@@ -147,7 +147,7 @@ TEST(ProcessorFrameBuffer, SelectsAndClearsRowsForOneCycleEach) {
     Script s;
     s.write(kFbClear, 0x0700).write(kFbRow, 2).set(0, 5).op(Verb::poke, 0, 0, kImageWindow + 2);
     s.op(Verb::poke, 0, 0, kDepthWindow + 3).write(kFbRow, 0).halt();
-    Bare bare(s, FrameBuffer::Settings{3, 4, false});
+    Bare bare(s, FrameBuffer::Settings{3, 4});
     EXPECT_EQ(bare.failure(), "no failure");
     EXPECT_EQ(bare.processor->statistics().cycles, 10);
     const FrameBuffer& buffer = *bare.processor->frame_buffer();
@@ -162,34 +162,49 @@ TEST(ProcessorFrameBuffer, LetsNobodyCatchUpForARow) {
     for (std::uint32_t i = 0; i < 2000; ++i) {
         s.write(kFbRow, i % 3);
     }
-    Bare bare(s.halt(), FrameBuffer::Settings{3, 4, false});
+    Bare bare(s.halt(), FrameBuffer::Settings{3, 4});
     bare.simulation.add<Ticker>();
     EXPECT_EQ(bare.failure(), "no failure");
     EXPECT_LT(bare.simulation.events_handled(), 1010U);  // the ticker's and a handful
 }
 
 TEST(ProcessorFrameBuffer, EndsTheRunWhenTheProgramMisusesIt) {
-    EXPECT_THAT(Bare(Script().write(kFbRow, 3), FrameBuffer::Settings{3, 4, false}).failure(),
+    EXPECT_THAT(Bare(Script().write(kFbRow, 3), FrameBuffer::Settings{3, 4}).failure(),
                 HasSubstr("FBROW 000003: the frame buffer has rows 0 to 000002"));
     EXPECT_THAT(Bare(Script().write(kFbRow, 3), std::nullopt).failure(),
                 HasSubstr("FBROW 000003 on a node without a frame buffer"));
     EXPECT_THAT(Bare(Script().write(kFbClear, 0), std::nullopt).failure(),
                 HasSubstr("FBCLEAR 000000 on a node without a frame buffer"));
     for (const std::uint32_t address : {kFbRow, kFbClear}) {
-        EXPECT_THAT(Bare(Script().load(0, address), FrameBuffer::Settings{3, 4, false}).failure(),
+        EXPECT_THAT(Bare(Script().load(0, address), FrameBuffer::Settings{3, 4}).failure(),
                     HasSubstr("bus error"));
     }
-    EXPECT_THAT(Bare(Script().write(kFbClear + 2, 0), FrameBuffer::Settings{3, 4, false}).failure(),
+    EXPECT_THAT(Bare(Script().write(kFbClear + 2, 0), FrameBuffer::Settings{3, 4}).failure(),
                 HasSubstr("bus error 166004"));
-    EXPECT_THAT(
-        Bare(Script().write(kBusImageWindow, 0), FrameBuffer::Settings{3, 4, false}).failure(),
-        HasSubstr("bus error 170000"));
+    EXPECT_THAT(Bare(Script().write(kBusImageWindow, 0), FrameBuffer::Settings{3, 4}).failure(),
+                HasSubstr("bus error 170000"));
+}
+
+TEST(ProcessorFrameBuffer, TakesImageWordsThroughTheIoPage) {
+    const FrameBuffer::Settings settings{3, 4, ImagePath::io_page};
+    Script s;
+    s.write(kFbRow, 1).write(kBusImageWindow + 6, 0x1234).halt();
+    Bare bare(s, settings);
+    EXPECT_EQ(bare.failure(), "no failure");
+    EXPECT_EQ(bare.processor->statistics().cycles, 5);
+    EXPECT_EQ(bare.processor->frame_buffer()->image(1, 3), 0x1234);
+    EXPECT_THAT(Bare(Script().write(kFbRow, 0).write(kBusImageWindow + 8, 0), settings).failure(),
+                HasSubstr("bus error 170010"));
+    EXPECT_THAT(Bare(Script().load(0, kBusImageWindow), settings).failure(),
+                HasSubstr("bus error 170000"));
+    EXPECT_THAT(Bare(Script().write(kBusImageWindow, 0), settings).failure(),
+                HasSubstr("before FBROW has selected a row"));
 }
 
 TEST(ProcessorFrameBuffer, NeedsAMemoryThatHoldsTheWindows) {
     EXPECT_THAT(
         [] {
-            Bare(Script().halt(), FrameBuffer::Settings{3, 4, false}, 2048);
+            Bare(Script().halt(), FrameBuffer::Settings{3, 4}, 2048);
         },
         testing::ThrowsMessage<std::invalid_argument>(
             HasSubstr("node/P0: the frame buffer's windows of 4 columns need 55304 bytes")));

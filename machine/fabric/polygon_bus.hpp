@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The polygon bus of an interlaced machine (Fuchs; Parks 1982, 1.2): hands every polygon to all of
+// its listeners at once.
+//
+//     --[ input FIFO ]--+--- listener 0
+//                       +--- listener 1
+//                       +--- ...
+//
+// A transfer begins when every listener has a place for it, so the slowest one sets the pace; it
+// occupies the bus for the message's words (two bytes each) x time_per_word and reaches all
+// listeners when it ends. The message keeps its place in the input FIFO so long. The end of a frame
+// is transferred like a polygon.
+#pragma once
+
+#include "machine/fabric/message_fifo.hpp"
+#include "machine/kernel/component.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rasterloom {
+
+struct PolygonBusSettings {
+    Duration time_per_word = Duration::nanoseconds(300);  // at least 0
+    int input_fifo = 4;                                   // messages; at least 1
+    int listeners = 1;                                    // at least 1
+    int listener_places = 4;                              // messages, each; at least 1
+};
+
+struct PolygonBusStatistics {
+    std::int64_t messages = 0;  // ends of frames included
+    std::int64_t words = 0;     // each counted once
+    Duration busy;
+    Duration held;  // a message was there, the bus idle, and a listener had no place
+    std::vector<Duration> held_by;  // [listener]: of that time, while this one had none (several
+                                    // can have none)
+    FifoStatistics input_fifo;
+};
+
+class PolygonBus final : public Component {
+  public:
+    static constexpr PortIndex kInput{0};
+    static PortIndex listener_port(int listener) { return static_cast<PortIndex>(1 + listener); }
+
+    // Throws std::invalid_argument when a setting is out of range.
+    PolygonBus(std::string name, const PolygonBusSettings& settings);
+
+    PolygonBusStatistics statistics() const;
+
+    void handle(const Event& event) override;
+    std::optional<std::string> waits_for() const override;
+
+  private:
+    void take();
+    void begin();
+    void end();
+    void book_held();
+
+    PolygonBusSettings settings_;
+    InputFifo input_;
+    std::vector<OutputFifo> listeners_;
+    int full_listeners_ = 0;  // have no place
+    bool busy_ = false;
+    bool held_ = false;
+    Time held_since_;
+    PolygonBusStatistics statistics_;  // but the FIFO's
+};
+
+}  // namespace rasterloom

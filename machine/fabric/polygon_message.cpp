@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "machine/fabric/polygon_message.hpp"
+
+namespace rasterloom {
+
+namespace {
+
+void put_word(std::vector<std::uint8_t>& bytes, int word) {
+    const auto bits = static_cast<std::uint16_t>(word);
+    bytes.push_back(static_cast<std::uint8_t>(bits & 0377U));
+    bytes.push_back(static_cast<std::uint8_t>(bits >> 8U));
+}
+
+std::int16_t word_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
+    return static_cast<std::int16_t>(bytes[offset] | bytes[offset + 1] << 8U);
+}
+
+void put_header(std::vector<std::uint8_t>& bytes, PolygonMessage kind, std::uint8_t hops,
+                int word) {
+    bytes.clear();
+    bytes.reserve(kMaxPolygonMessageBytes);  // once: the place is used again
+    bytes.push_back(static_cast<std::uint8_t>(kind));
+    bytes.push_back(hops);
+    put_word(bytes, word);
+}
+
+}  // namespace
+
+void write_polygon(std::vector<std::uint8_t>& bytes, std::span<const PolygonVertex> outline,
+                   std::uint8_t hops) {
+    put_header(bytes, PolygonMessage::polygon, hops, static_cast<int>(outline.size()));
+    for (const PolygonVertex& vertex : outline) {
+        put_word(bytes, vertex.x);
+        put_word(bytes, vertex.y);
+        put_word(bytes, vertex.z);
+        put_word(bytes, vertex.shade);
+    }
+}
+
+void write_end_of_frame(std::vector<std::uint8_t>& bytes, std::uint8_t hops, std::uint16_t word) {
+    put_header(bytes, PolygonMessage::end_of_frame, hops, word);
+}
+
+PolygonMessage kind_of_polygon_message(std::span<const std::uint8_t> bytes) {
+    return static_cast<PolygonMessage>(bytes[0]);
+}
+
+int vertices_of_polygon_message(std::span<const std::uint8_t> bytes) {
+    return kind_of_polygon_message(bytes) == PolygonMessage::polygon ? word_at(bytes, 2) : 0;
+}
+
+std::uint8_t hops_of_polygon_message(std::span<const std::uint8_t> bytes) {
+    return bytes[1];
+}
+
+void read_polygon(std::span<const std::uint8_t> bytes, std::vector<PolygonVertex>& outline) {
+    outline.clear();
+    const auto count = static_cast<std::size_t>(vertices_of_polygon_message(bytes));
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = kPolygonHeaderBytes + i * kPolygonVertexBytes;
+        outline.push_back({word_at(bytes, at), word_at(bytes, at + 2), word_at(bytes, at + 4),
+                           word_at(bytes, at + 6)});
+    }
+}
+
+}  // namespace rasterloom
