@@ -70,12 +70,17 @@ TilerNode::TilerNode(const TilerVariant& variant, const topology::PixelGrid& gri
 }
 
 void TilerNode::draw(std::span<const Polygon> polygons) {
-    waiting_.insert(waiting_.end(), polygons.begin(), polygons.end());
+    draw_frames(std::vector<std::vector<Polygon>>{{polygons.begin(), polygons.end()}});
+}
+
+void TilerNode::draw_frames(std::span<const std::vector<Polygon>> frames) {
+    for (const std::vector<Polygon>& polygons : frames) {
+        waiting_.insert(waiting_.end(), polygons.begin(), polygons.end());
+        waiting_.emplace_back();
+        ++frames_left_;
+    }
     while (cycles_ < kLongestRun) {
         isa::Stop stop = core_->run(10'000'000);
-        if (stop.reason == isa::StopReason::tap) {
-            note_tap();
-        }
         if (stop.reason == isa::StopReason::io) {
             const std::int64_t spent = stop.cycles;
             stop = core_->step(*this);
@@ -84,6 +89,9 @@ void TilerNode::draw(std::span<const Polygon> polygons) {
         cycles_ += stop.cycles;
         if (section_ != nullptr) {
             section_->cycles += stop.cycles;
+        }
+        if (stop.reason == isa::StopReason::tap) {
+            note_tap();
         }
         if (stop.reason == isa::StopReason::trap) {
             throw std::runtime_error(
@@ -114,7 +122,6 @@ void TilerNode::watch_taps() {
 
 void TilerNode::note_tap() {
     const std::string& name = taps_.at(core_->program_counter());
-    // What run() spent before it came to the tap is booked after this: to the section before.
     section_ = &sections_[name];
     ++section_->passes;
     if (name.starts_with("tap_polygon")) {
@@ -133,7 +140,7 @@ std::uint16_t TilerNode::word(std::uint32_t address) const {
 
 isa::Bus::Read TilerNode::read(std::uint32_t address, int bytes) {
     if (bytes == 2 && address == own(NodeRegister::phase)) {
-        return {Status::ok, over_ ? 0177777U : 0U};
+        return {Status::ok, frames_left_ == 0 ? 0177777U : 0U};
     }
     return {};
 }
@@ -149,7 +156,7 @@ isa::Bus::Status TilerNode::write(std::uint32_t address, std::uint32_t value, in
     } else if (address == kClear) {
         clear(static_cast<std::uint16_t>(value));
     } else if (address == own(NodeRegister::credit)) {
-        over_ = value == 0177777U;
+        frames_left_ += static_cast<std::int16_t>(value);
     } else if (variant_.bus && row_ >= 0 && address >= kBusImageWindow) {
         image_.at(index(row_, static_cast<int>(address - kBusImageWindow) / 2)) =
             static_cast<std::int16_t>(value);
@@ -166,19 +173,19 @@ void TilerNode::receive(std::uint32_t address) {
         bytes.push_back(static_cast<std::uint8_t>(value >> 8 & 0xff));
     };
     if (waiting_.empty()) {
-        add(static_cast<int>(PolygonMessage::end_of_frame));
-        add(0);
-    } else {
-        add(static_cast<int>(PolygonMessage::polygon));
-        add(static_cast<int>(waiting_.front().vertices.size()));
-        for (const PolygonVertex& v : waiting_.front().vertices) {
-            add(v.x);
-            add(v.y);
-            add(v.z);
-            add(v.shade);
-        }
-        waiting_.pop_front();
+        throw std::runtime_error("the program waits for a message that never comes");
     }
+    const auto& vertices = waiting_.front().vertices;
+    add(static_cast<int>(vertices.empty() ? PolygonMessage::end_of_frame
+                                          : PolygonMessage::polygon));
+    add(static_cast<int>(vertices.size()));
+    for (const PolygonVertex& v : vertices) {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+        add(v.shade);
+    }
+    waiting_.pop_front();
     core_->write_memory(address, bytes);
 }
 

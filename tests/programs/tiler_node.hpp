@@ -40,6 +40,7 @@ class TilerNode final : private isa::Bus {
     // Draws the polygons and ends the frame. Throws std::runtime_error when the program traps,
     // writes beside its windows or does not come to an end.
     void draw(std::span<const Polygon> polygons);
+    void draw_frames(std::span<const std::vector<Polygon>> frames);
 
     std::int16_t depth(int row, int column) const { return depth_.at(index(row, column)); }
     // Grey level.
@@ -74,8 +75,8 @@ class TilerNode final : private isa::Bus {
     TilerVariant variant_;
     topology::PixelGrid grid_;
     std::unique_ptr<isa::Core> core_;
-    std::deque<Polygon> waiting_;
-    bool over_ = false;
+    std::deque<Polygon> waiting_;  // one without vertices: the end of a frame
+    int frames_left_ = 0;          // not ended by the program
     int row_ = -1;
     std::vector<std::int16_t> depth_;
     std::vector<std::int16_t> image_;

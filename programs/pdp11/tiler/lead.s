@@ -55,4 +55,5 @@ lead_segment:
         mov     start_z, r3
         mov     start_shade, r1
         .endc
+tap_pixels_lead:
         jmp     draw_pixels

@@ -14,7 +14,6 @@
 hidden:
         .endm
 
-tap_pixels:
 draw_pixels:
         .if ne full
         put_pixel r3, r4

@@ -67,9 +67,11 @@ segment:
         mov     r4, pixel_dshade
         mov     left_shade, r4
         mov     #100000, r1             ; both begin with a half, so that cutting off rounds
+tap_pixels:
         mov     r1, r2
         .iff
         divide  r2
+tap_pixels:
         mov     left_shade, r1
         .endc
 
@@ -92,8 +94,8 @@ narrow: asl     r0
         beq     pixels_done
         mov     #1, sp
 single_pixel:
-        mov     left_z, r3
 tap_pixels_single:
+        mov     left_z, r3
         cmp     r3, (r5)
         bge     pixels_done
         mov     r3, (r5)
