@@ -91,6 +91,25 @@ TEST(PolygonStage, ShowsClosedObjectsAsTheOtherMachinesReferenceDoes) {
     }
 }
 
+// Neighbours round their common corners alike: no background shows between them.
+TEST(PolygonStage, LeavesNoHolesBetweenNeighbours) {
+    const auto mesh = make_scene_object("sphere");
+    for (int turn = 0; turn < 20; ++turn) {
+        auto view = turned_view();
+        view.degrees = 18 * turn;
+        view.translate = {0.01 * turn, 0.007 * turn, 0};
+        const auto drawn =
+            render_polygons(screen_polygons(mesh, view), {view.width, view.height, 0});
+        for (int y = 0; y < view.height; ++y) {
+            const auto row = drawn.drawn.begin() + y * view.width;
+            int edges = 0;
+            for (int x = 1; x < view.width; ++x)
+                edges += (row[x - 1] > 0) != (row[x] > 0) ? 1 : 0;
+            EXPECT_LE(edges, 2) << "line " << y << " of turn " << turn;
+        }
+    }
+}
+
 TEST(PolygonStage, GivesAPolygonOneLevelWithFaceNormals) {
     PolygonLighting lighting;
     lighting.normals = NormalStyle::face;
