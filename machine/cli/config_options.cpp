@@ -3,6 +3,7 @@
 
 #include "machine/config/load.hpp"
 #include "machine/config/locator.hpp"
+#include "machine/host/polygon_scenes.hpp"
 
 namespace rasterloom::cli {
 
@@ -17,6 +18,18 @@ void add_config_options(CLI::App& command, ConfigOptions& options) {
         ->allow_extra_args(false);
 }
 
+namespace {
+
+// A polygon scene shows the mesh in its model's place; otherwise the mesh is the scene.
+const char* mesh_key(const config::MachineDescription& machine) {
+    const host::PolygonScene* scene = machine.scene && !machine.scene->mesh
+                                          ? host::find_polygon_scene(machine.scene->object)
+                                          : nullptr;
+    return scene != nullptr && scene->takes_model ? "scene.model" : "scene.object";
+}
+
+}  // namespace
+
 config::MachineDescription load(const ConfigOptions& options, const Session& session) {
     std::vector<config::Override> changes;
     for (const std::string& text : options.overrides) {
@@ -27,10 +40,13 @@ config::MachineDescription load(const ConfigOptions& options, const Session& ses
             changes.push_back(config::make_override(key, value, option));
         }
     };
-    add("scene.object", options.mesh, "--mesh");
     add("run.frames", options.frames, "--frames");
     add("run.max_time", options.max_time, "--max-time");
-    return config::load_machine(options.file, changes, config::make_locator(session.data));
+    const config::Locator locator = config::make_locator(session.data);
+    if (!options.mesh.empty()) {
+        add(mesh_key(config::load_machine(options.file, changes, locator)), options.mesh, "--mesh");
+    }
+    return config::load_machine(options.file, changes, locator);
 }
 
 }  // namespace rasterloom::cli

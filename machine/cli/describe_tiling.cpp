@@ -98,7 +98,7 @@ void print_fabric(const config::MachineDescription& machine) {
                time(fabric.splitter.time_per_vertex), fabric.splitter.input_fifo,
                fabric.splitter.output_fifo);
     fmt::print("Bus         {} a word, FIFOs of {} at the processors, wires of {}\n",
-               time(fabric.bus_time_per_word), fabric.processor_fifo, time(fabric.latency));
+               time(fabric.bus.time_per_word), fabric.processor_fifo, time(fabric.latency));
     if (fabric.frame_buffer == config::FrameBufferKind::bus) {
         fmt::print("Pixels      over one frame-buffer bus, {} each\n",
                    time(fabric.frame_buffer_time_per_pixel));

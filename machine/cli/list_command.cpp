@@ -3,6 +3,7 @@
 #include "machine/cli/command.hpp"
 #include "machine/config/locator.hpp"
 #include "machine/emulation/programs.hpp"
+#include "machine/host/polygon_scenes.hpp"
 #include "machine/host/scenes.hpp"
 #include "topologies/registry.hpp"
 
@@ -90,6 +91,11 @@ void list_scenes(const config::Locator& locator) {
     std::vector<Row> rows;
     for (const host::SceneObject& object : host::scene_objects()) {
         rows.push_back({std::string("object: ") + object.name, object.summary});
+    }
+    for (const host::PolygonScene& scene : host::polygon_scenes()) {
+        rows.push_back({std::string("polygons: ") + scene.name,
+                        std::string(scene.summary) +
+                            (scene.takes_model ? " (takes another model: scene.model)" : "")});
     }
     for (Row& row : files_below(locator.configs() / "scenes", ".yaml")) {
         rows.push_back({"scenes/" + row.name, row.summary});

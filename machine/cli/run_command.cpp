@@ -57,7 +57,13 @@ void write_statistics(const emulation::RunOutcome& outcome, const observe::Outpu
     observe::write_file_whole(folder.file("statistics.json"),
                               observe::statistics_json(outcome.report));
     observe::write_file_whole(folder.file("nodes.csv"), observe::nodes_csv(outcome.report));
-    observe::write_file_whole(folder.file("links.csv"), observe::links_csv(outcome.report));
+    if (outcome.report.fabric.empty()) {
+        observe::write_file_whole(folder.file("links.csv"), observe::links_csv(outcome.report));
+    } else {
+        observe::write_file_whole(
+            folder.file("fabric.csv"),
+            observe::fabric_csv(outcome.report.fabric, outcome.report.end.since_start()));
+    }
     if (outcome.appendix_c) {
         observe::write_file_whole(folder.file("appendix-c.json"),
                                   observe::appendix_c_json(*outcome.appendix_c));
@@ -66,16 +72,16 @@ void write_statistics(const emulation::RunOutcome& outcome, const observe::Outpu
     }
 }
 
-void print_comparison(const emulation::RunOutcome& outcome, int background) {
+void print_comparison(const emulation::RunOutcome& outcome) {
     for (std::size_t frame = 0; frame < outcome.references.size(); ++frame) {
         const host::PictureComparison same =
-            host::compare(outcome.pictures[frame], outcome.references[frame], background);
+            host::compare(outcome.pictures[frame], outcome.references[frame], outcome.background);
         fmt::print(
             "Frame {:<3}       {:.3f} % of all pixels and {:.3f} % of the object's within {} "
-            "levels of the reference; "
-            "greatest difference {}\n",
+            "levels of the reference; {} pixels differ; greatest difference {}\n",
             frame, 100 * same.all.share_within(kMatchLevels),
-            100 * same.covered.share_within(kMatchLevels), kMatchLevels, same.all.greatest());
+            100 * same.covered.share_within(kMatchLevels), kMatchLevels, same.all.differing(),
+            same.all.greatest());
     }
 }
 
@@ -112,8 +118,7 @@ std::filesystem::path output_folder(const RunCommandOptions& options) {
     return std::filesystem::path("out") / std::filesystem::path(options.config.file).stem();
 }
 
-void print_outcome(const RunCommandOptions& options, const config::MachineDescription& machine,
-                   const emulation::RunOutcome& outcome) {
+void print_outcome(const RunCommandOptions& options, const emulation::RunOutcome& outcome) {
     if (!options.quiet) {
         fmt::print("{}", observe::summary(outcome.report, outcome.wall_seconds));
         if (!outcome.remarks.empty()) {
@@ -124,8 +129,7 @@ void print_outcome(const RunCommandOptions& options, const config::MachineDescri
         print_appendix_c(options, *outcome.appendix_c);
     }
     if (options.compare) {
-        print_comparison(
-            outcome, machine.scene ? static_cast<int>(machine.scene->background.value_or(0)) : 0);
+        print_comparison(outcome);
     }
 }
 
@@ -162,7 +166,7 @@ void run(const RunCommandOptions& options, Session& session) {
         write_statistics(outcome, *folder);
         folder->commit();
     }
-    print_outcome(options, machine, outcome);
+    print_outcome(options, outcome);
     if (folder && !options.quiet) {
         fmt::print("\nFiles in {}\n", folder->final_folder().string());
     }
@@ -178,7 +182,8 @@ void add_run_command(CLI::App& app, Session& session) {
     add_config_options(*command, options->config);
     command
         ->add_option("--mesh", options->config.mesh,
-                     "Draw this mesh (any format that assimp reads): scene.object")
+                     "Draw this mesh (any format that assimp reads): scene.object, or "
+                     "scene.model of a scene that has one")
         ->type_name("FILE");
     command->add_option("--frames", options->config.frames, "Draw so many frames: run.frames")
         ->type_name("N");

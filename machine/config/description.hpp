@@ -5,6 +5,7 @@
 
 #include "machine/config/error.hpp"
 #include "machine/config/units.hpp"
+#include "machine/host/polygon_order.hpp"
 #include "machine/kernel/time.hpp"
 #include "machine/node/message_ports.hpp"
 
@@ -67,6 +68,11 @@ struct SplitterDescription {
     std::int64_t output_fifo = 4;                           // polygons, of either output
 };
 
+struct PolygonBusDescription {
+    Duration time_per_word = Duration::nanoseconds(300);
+    std::int64_t input_fifo = 4;  // polygons
+};
+
 enum class FrameBufferKind : std::uint8_t {
     local,  // every processor has its own pixels, as in the thesis
     bus,    // every pixel written goes over one bus
@@ -75,7 +81,7 @@ enum class FrameBufferKind : std::uint8_t {
 struct FabricDescription {
     bool ideal = false;  // no time anywhere, no FIFO ever full: the thesis' assumption
     SplitterDescription splitter;
-    Duration bus_time_per_word = Duration::nanoseconds(300);
+    PolygonBusDescription bus;
     std::int64_t processor_fifo = 4;  // polygons
     FrameBufferKind frame_buffer = FrameBufferKind::local;
     Duration frame_buffer_time_per_pixel = Duration::nanoseconds(300);
@@ -83,13 +89,11 @@ struct FabricDescription {
     bool half_digested = false;
 };
 
-enum class PolygonOrder : std::uint8_t { mesh, sorted, sorted_far, shuffled };
-
 // The computer that sends the polygons.
 struct HostDescription {
     Duration time_per_polygon = Duration::microseconds(10);
     Duration time_per_vertex;
-    PolygonOrder order = PolygonOrder::mesh;
+    host::PolygonOrder order = host::PolygonOrder::mesh;
     std::int64_t seed = 1;  // of shuffled
 };
 

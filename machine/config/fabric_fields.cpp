@@ -40,14 +40,13 @@ void add_host_fields(std::vector<Field>& fields) {
     fields.push_back(duration_field(
         "host.time_per_vertex", "the same, for each vertex of the polygon",
         [](auto& m) -> auto& { return m.host.time_per_vertex; }));
-    fields.push_back(choice_field<PolygonOrder>(
+    fields.push_back(choice_field<host::PolygonOrder>(
         "host.order",
-        "the order of a frame's polygons: as the scene has them, nearest first, farthest first (by "
-        "their nearest vertex), or at random",
-        {{"mesh", PolygonOrder::mesh},
-         {"sorted", PolygonOrder::sorted},
-         {"sorted_far", PolygonOrder::sorted_far},
-         {"shuffled", PolygonOrder::shuffled}},
+        "the order of a frame's polygons: as the scene has them, nearest first (by their nearest "
+        "vertex), or at random",
+        {{"mesh", host::PolygonOrder::mesh},
+         {"sorted", host::PolygonOrder::sorted},
+         {"shuffled", host::PolygonOrder::shuffled}},
         [](auto& m) -> auto& { return m.host.order; }));
     fields.push_back(count_field(
         "host.seed", "of the random order", 0, std::numeric_limits<std::int64_t>::max(),
@@ -65,7 +64,10 @@ void add_fabric_fields(std::vector<Field>& fields) {
     add_splitter_fields(fields);
     fields.push_back(duration_field(
         "fabric.polygon_bus.time_per_word", "transfer time of a word to all who share a part",
-        [](auto& m) -> auto& { return m.fabric.bus_time_per_word; }));
+        [](auto& m) -> auto& { return m.fabric.bus.time_per_word; }));
+    fields.push_back(fifo_field(
+        "fabric.polygon_bus.input_fifo", "polygons that wait for the bus",
+        [](auto& m) -> auto& { return m.fabric.bus.input_fifo; }));
     fields.push_back(fifo_field(
         "fabric.processor_fifo", "polygons that wait at a processor",
         [](auto& m) -> auto& { return m.fabric.processor_fifo; }));

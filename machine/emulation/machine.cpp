@@ -2,6 +2,7 @@
 #include "machine/emulation/machine.hpp"
 
 #include "isa/syntax.hpp"
+#include "machine/emulation/fabric_settings.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/node/registers.hpp"
 
@@ -47,15 +48,17 @@ std::int64_t count_phases(const MachineDescription& description, const isa::Imag
     return std::max<std::int64_t>(1, image.symbol("phases_per_frame").value_or(1));
 }
 
-Processor::Settings processor_settings(const MachineDescription& description, const isa::Isa& isa,
-                                       const std::shared_ptr<const isa::Image>& image) {
+Processor::Settings processor_settings(const Blueprint& blueprint) {
+    const MachineDescription& description = blueprint.description;
+    const isa::Isa& isa = blueprint.isa;
     Processor::Settings settings;
     settings.clock = description.nodes.clock.clock();
     settings.ports.output_queue = static_cast<int>(description.links.output_queue);
     settings.ports.input_queue = static_cast<int>(description.links.input_queue);
     settings.ports.send = description.links.send;
     settings.max_message = static_cast<int>(description.links.max_message);
-    settings.image = image;
+    settings.supervised = description.scene.has_value() || blueprint.topology.nodes.size() > 1;
+    settings.image = blueprint.image;
     settings.register_names.assign(isa.register_names().begin(), isa.register_names().end());
     settings.radix = isa.syntax().default_radix() == 16 ? 16 : 8;
     return settings;
@@ -63,51 +66,86 @@ Processor::Settings processor_settings(const MachineDescription& description, co
 
 }  // namespace
 
-Machine::Machine(const MachineDescription& description, const Topology& topology,
-                 const isa::Isa& isa, std::shared_ptr<const isa::Image> image) {
-    check_ports(description, topology);
-    check_memory(description, isa);
-    phases_per_frame_ = count_phases(description, *image);
-    add_processors(description, topology, isa, image);
-    try {
-        add_links(description, topology);
-        if (description.scene || topology.nodes.size() > 1) {
-            add_supervisor(description);
-        }
-    } catch (const std::invalid_argument& problem) {
-        throw description.error("links", {}, problem.what());
+Machine::Machine(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons) {
+    const MachineDescription& description = blueprint.description;
+    check_ports(description, blueprint.topology);
+    check_memory(description, blueprint.isa);
+    phases_per_frame_ = count_phases(description, *blueprint.image);
+    if (blueprint.distribution) {
+        build_fabric(blueprint, std::move(polygons));
+    } else {
+        build_graph(blueprint);
     }
     simulation_.seal();
 }
 
-void Machine::add_processors(const MachineDescription& description, const Topology& topology,
-                             const isa::Isa& isa, const std::shared_ptr<const isa::Image>& image) {
-    const auto program = prepare_program(isa, *image, description);
-    const isa::CoreOptions options{static_cast<std::uint32_t>(description.nodes.memory),
-                                   isa::TrapPolicy::report_unhandled};
-    Processor::Settings settings = processor_settings(description, isa, image);
-    settings.supervised = description.scene.has_value() || topology.nodes.size() > 1;
-    for (std::size_t node = 0; node < topology.nodes.size(); ++node) {
-        settings.node = static_cast<NodeIndex>(node);
-        settings.ports.ports = static_cast<int>(topology.ports[node].size());
-        processors_.push_back(&simulation_.add<Processor>(
-            "node/" + topology.nodes[node].name, isa.make_core(program, options), settings));
+void Machine::build_graph(const Blueprint& blueprint) {
+    const MachineDescription& description = blueprint.description;
+    add_processors(blueprint, [&](std::size_t node) {
+        Processor::Settings settings = processor_settings(blueprint);
+        settings.ports.ports = static_cast<int>(blueprint.topology.ports[node].size());
+        return settings;
+    });
+    try {
+        const LinkSettings settings{description.links.time_per_message,
+                                    description.links.time_per_byte, description.links.latency,
+                                    static_cast<int>(description.links.input_queue)};
+        links_ = connect_network(simulation_, blueprint.topology, processors_, settings);
+        if (description.scene || processors_.size() > 1) {
+            add_supervisor(description, 0);
+        }
+    } catch (const std::invalid_argument& problem) {
+        throw description.error("links", {}, problem.what());
     }
 }
 
-void Machine::add_links(const MachineDescription& description, const Topology& topology) {
-    const LinkSettings settings{description.links.time_per_message, description.links.time_per_byte,
-                                description.links.latency,
-                                static_cast<int>(description.links.input_queue)};
-    links_ = connect_network(simulation_, topology, processors_, settings);
+void Machine::build_fabric(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons) {
+    const MachineDescription& description = blueprint.description;
+    const PolygonFabricSettings fabric = fabric_settings(description, phases_per_frame_);
+    add_processors(blueprint, [&](std::size_t node) {
+        Processor::Settings settings = processor_settings(blueprint);
+        settings.supervised = true;
+        set_polygon_ports(settings, fabric, blueprint.distribution->grids[node]);
+        return settings;
+    });
+    try {
+        fabric_ =
+            connect_polygon_network(simulation_, *blueprint.distribution, processors_, fabric);
+        add_supervisor(description, 1);
+        fabric_->source->load(std::move(polygons));
+    } catch (const std::invalid_argument& problem) {
+        throw description.error("fabric", {}, problem.what());
+    }
+    supervisor_->connect(simulation_, static_cast<int>(processors_.size()), *fabric_->source,
+                         PolygonSource::kSupervisor);
 }
 
-void Machine::add_supervisor(const MachineDescription& description) {
+void Machine::add_processors(const Blueprint& blueprint,
+                             const std::function<Processor::Settings(std::size_t)>& settings_of) {
+    const MachineDescription& description = blueprint.description;
+    const auto program = prepare_program(blueprint.isa, *blueprint.image, description);
+    const isa::CoreOptions options{static_cast<std::uint32_t>(description.nodes.memory),
+                                   isa::TrapPolicy::report_unhandled};
+    for (std::size_t node = 0; node < blueprint.topology.nodes.size(); ++node) {
+        Processor::Settings settings = settings_of(node);
+        settings.node = static_cast<NodeIndex>(node);
+        try {
+            processors_.push_back(
+                &simulation_.add<Processor>("node/" + blueprint.topology.nodes[node].name,
+                                            blueprint.isa.make_core(program, options), settings));
+        } catch (const std::invalid_argument& problem) {
+            throw description.error("nodes", {}, problem.what());
+        }
+    }
+}
+
+// `others`: what else takes part in its phases.
+void Machine::add_supervisor(const MachineDescription& description, int others) {
     Supervisor::Settings settings;
     settings.latency = description.supervisor.latency;
     settings.phases_per_frame = static_cast<int>(phases_per_frame_);
     settings.frames = static_cast<int>(description.run.frames);
-    settings.nodes = static_cast<int>(processors_.size());
+    settings.nodes = static_cast<int>(processors_.size()) + others;
     supervisor_ = &simulation_.add<Supervisor>("supervisor", settings);
     for (std::size_t node = 0; node < processors_.size(); ++node) {
         supervisor_->connect(simulation_, static_cast<int>(node), *processors_[node]);

@@ -1,48 +1,51 @@
 // SPDX-License-Identifier: MIT
-// The whole machine, built from its description: a processor at every node, a link in either
-// direction of every edge, and Strothotte's supervisor. A single node without a scene is a bare
-// processor and has none.
+// The whole machine, built from its blueprint: a processor at every node, Strothotte's supervisor,
+// and either a link in either direction of every edge or, where the screen is dealt out, the host's
+// sending end with splitters and buses. A single node without links or scene is a bare processor
+// and has no supervisor.
 #pragma once
 
-#include "isa/isa.hpp"
-#include "machine/config/description.hpp"
+#include "machine/emulation/blueprint.hpp"
 #include "machine/fabric/network.hpp"
+#include "machine/fabric/polygon.hpp"
+#include "machine/fabric/polygon_network.hpp"
 #include "machine/fabric/supervisor.hpp"
 #include "machine/kernel/simulation.hpp"
 #include "machine/node/processor.hpp"
-#include "topologies/topology.hpp"
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace rasterloom::emulation {
 
 class Machine {
   public:
-    // Builds and seals. All references need to live only as long as the call, but for `isa`, which
-    // the cores need. Throws ConfigError when the description asks for what cannot be built.
-    Machine(const config::MachineDescription& description, const topology::Topology& topology,
-            const isa::Isa& isa, std::shared_ptr<const isa::Image> image);
+    // Builds and seals. The blueprint needs to live only as long as the call, but for its ISA,
+    // which the cores need. `polygons`: what the host sends, one list a frame; none for a graph.
+    // Throws ConfigError when the description asks for what cannot be built.
+    Machine(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons);
 
     Simulation& simulation() { return simulation_; }
     const std::vector<Processor*>& processors() const { return processors_; }  // by node
-    const std::vector<NetworkLink>& links() const {
-        return links_;
-    }                                                       // by node, then port of the sender
+    // By node, then port of the sender.
+    const std::vector<NetworkLink>& links() const { return links_; }
+    // Null where the machine is a graph.
+    const PolygonNetwork* fabric() const { return fabric_ ? &*fabric_ : nullptr; }
     Supervisor* supervisor() const { return supervisor_; }  // null: a bare processor
     std::int64_t phases_per_frame() const { return phases_per_frame_; }
 
   private:
-    void add_processors(const config::MachineDescription& description,
-                        const topology::Topology& topology, const isa::Isa& isa,
-                        const std::shared_ptr<const isa::Image>& image);
-    void add_links(const config::MachineDescription& description,
-                   const topology::Topology& topology);
-    void add_supervisor(const config::MachineDescription& description);
+    void build_graph(const Blueprint& blueprint);
+    void build_fabric(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons);
+    void add_processors(const Blueprint& blueprint,
+                        const std::function<Processor::Settings(std::size_t)>& settings_of);
+    void add_supervisor(const config::MachineDescription& description, int others);
 
     Simulation simulation_;
     std::vector<Processor*> processors_;
     std::vector<NetworkLink> links_;
+    std::optional<PolygonNetwork> fabric_;
     Supervisor* supervisor_ = nullptr;
     std::int64_t phases_per_frame_ = 1;
 };

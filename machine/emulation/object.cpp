@@ -2,6 +2,7 @@
 #include "machine/emulation/object.hpp"
 
 #include "machine/host/mesh_file.hpp"
+#include "machine/host/polygon_scenes.hpp"
 #include "machine/host/scenes.hpp"
 
 #include <exception>
@@ -23,6 +24,9 @@ std::string nearest_object(const std::string& name) {
     std::vector<std::string> names;
     for (const host::SceneObject& object : host::scene_objects()) {
         names.emplace_back(object.name);
+    }
+    for (const host::PolygonScene& scene : host::polygon_scenes()) {
+        names.emplace_back(scene.name);
     }
     return config::nearest_name(name, names);
 }

@@ -37,7 +37,8 @@ isa::AssemblerOptions assembler_options(const MachineDescription& machine) {
         }
         options.defines[name] = holds ? 1 : 0;
     };
-    define("frame_buffer_bus", machine.fabric.frame_buffer == config::FrameBufferKind::bus);
+    define("frame_buffer_bus",
+           !machine.fabric.ideal && machine.fabric.frame_buffer == config::FrameBufferKind::bus);
     define("half_digested", machine.fabric.half_digested);
     return options;
 }

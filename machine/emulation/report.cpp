@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/report.hpp"
 
+#include "machine/emulation/fabric_parts.hpp"
+
 #include <algorithm>
 #include <string_view>
 
@@ -59,9 +61,10 @@ observe::LinkReport link_report(const NetworkLink& wire,
 
 }  // namespace
 
-observe::RunReport gather_report(const config::MachineDescription& description,
-                                 const topology::Topology& topology, const isa::Image& image,
-                                 Machine& machine, observe::PhaseLog& phases, Time end) {
+observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
+                                 observe::PhaseLog& phases, Time end) {
+    const config::MachineDescription& description = blueprint.description;
+    const isa::Image& image = *blueprint.image;
     observe::RunReport report{
         .machine = description.machine,
         .clock = description.nodes.clock.clock(),
@@ -71,13 +74,15 @@ observe::RunReport gather_report(const config::MachineDescription& description,
         .phases = phases.finish(end),
         .nodes = {},
         .links = {},
+        .fabric = gather_fabric(blueprint, machine, end),
         .phase_names = names_from_symbols(image, "phase_name_",
                                           static_cast<std::uint32_t>(machine.phases_per_frame())),
         .activity_names = names_from_symbols(image, "mark_", kActivities),
         .events = machine.simulation().events_handled()};
     for (std::size_t node = 0; node < machine.processors().size(); ++node) {
         machine.processors()[node]->close_books(end);
-        report.nodes.push_back(node_report(*machine.processors()[node], topology.nodes[node].name));
+        report.nodes.push_back(
+            node_report(*machine.processors()[node], blueprint.topology.nodes[node].name));
     }
     for (const NetworkLink& wire : machine.links()) {
         report.links.push_back(link_report(wire, machine.processors()));

@@ -7,7 +7,6 @@
 #include "machine/emulation/machine.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/report.hpp"
-#include "machine/emulation/wiring.hpp"
 #include "machine/observe/message_csv.hpp"
 #include "machine/observe/phase_log.hpp"
 
@@ -186,18 +185,16 @@ observe::AppendixCReport gather_appendix_c(AppendixCCollector& collector,
 
 RunOutcome run_machine(const MachineDescription& description, const RunOptions& options) {
     isa::IsaRegistry registry = built_in_isas();
-    const isa::Isa& isa = select_isa(registry, description);
-    const auto image = std::make_shared<const isa::Image>(load_program(isa, description));
-    const topology::Topology topology = make_wiring(description);
-    check_keys_matter(description, topology);
-    const std::unique_ptr<HostJob> job = make_job(description, topology, *image);
-    Machine machine(description, topology, isa, image);
+    const Blueprint blueprint(description, registry);
+    const std::unique_ptr<HostJob> job = make_job(blueprint);
+    Machine machine(blueprint, job ? job->polygons() : std::vector<std::vector<Polygon>>());
     RunOutcome outcome;
     std::optional<PictureCollector> collector;
     if (job) {
         job->load(machine.processors());
         collector.emplace(*job, machine, outcome.pictures);
         outcome.remarks = job->remarks();
+        outcome.background = job->background();
     }
     observe::PhaseLog phases(round_of(description.links));
     std::optional<observe::MessageCsv> messages;
@@ -207,7 +204,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     attach(machine, phases, messages ? &*messages : nullptr, collector ? &*collector : nullptr);
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
-        tap(appendix_c, options, *image, topology, machine);
+        tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
     }
 
     const auto start = WallClock::now();
@@ -215,7 +212,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     outcome.wall_seconds = seconds_since(start);
 
     outcome.failure = failure_of(result, description, machine);
-    outcome.report = gather_report(description, topology, *image, machine, phases, result.time);
+    outcome.report = gather_report(blueprint, machine, phases, result.time);
     if (appendix_c) {
         outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);
     }

@@ -43,6 +43,7 @@ struct RunOutcome {
     std::vector<host::Picture> pictures;                 // one a frame
     std::vector<host::Picture> references;               // likewise, if asked for
     std::optional<observe::AppendixCReport> appendix_c;  // if asked for
+    int background = 0;                                  // grey level
     std::string remarks;                                 // on how the object was prepared
     double wall_seconds = 0;  // of the run itself, building and loading not counted
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/scene_kind.hpp"
 
+#include "machine/host/polygon_scenes.hpp"
+
 namespace rasterloom::emulation {
 
 SceneKind scene_kind(const config::MachineDescription& machine) {
@@ -8,7 +10,8 @@ SceneKind scene_kind(const config::MachineDescription& machine) {
     if (scene.mesh) {
         return scene.mesh->extension() == ".polygons" ? SceneKind::polygon_file : SceneKind::object;
     }
-    return SceneKind::object;
+    return host::find_polygon_scene(scene.object) != nullptr ? SceneKind::polygon_scene
+                                                             : SceneKind::object;
 }
 
 }  // namespace rasterloom::emulation

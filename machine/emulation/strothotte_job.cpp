@@ -10,7 +10,7 @@
 #include "machine/host/renderer.hpp"
 #include "topologies/screen_map.hpp"
 
-#include <exception>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -23,22 +23,21 @@ using topology::Topology;
 
 class StrothotteJob final : public HostJob {
   public:
-    StrothotteJob(const MachineDescription& description, const Topology& topology,
-                  const isa::Image& image)
-        : description_(description),
-          rotation_(description.scene->rotate),
-          topology_(topology),
-          image_(image),
-          view_(make_view(description)),
-          screen_(topology::nearest_pixel_map(topology, view_.width, view_.height)),
-          facets_(sample(description, topology)),
-          loader_(image,
-                  {topology_, screen_, facets_, static_cast<int>(description.links.max_message),
-                   static_cast<std::uint32_t>(description.nodes.memory)},
+    explicit StrothotteJob(const Blueprint& blueprint)
+        : description_(blueprint.description),
+          rotation_(description_.scene->rotate),
+          topology_(blueprint.topology),
+          image_(*blueprint.image),
+          view_(make_view(description_)),
+          screen_(topology::nearest_pixel_map(topology_, view_.width, view_.height)),
+          facets_(sample(description_, topology_)),
+          loader_(image_,
+                  {topology_, screen_, facets_, static_cast<int>(description_.links.max_message),
+                   static_cast<std::uint32_t>(description_.nodes.memory)},
                   {view_, rotation_.start, rotation_.degrees,
-                   description.scene->routing == config::Routing::great_circle}) {}
+                   description_.scene->routing == config::Routing::great_circle}) {}
 
-    void load(const std::vector<Processor*>& processors) override {
+    void load(std::span<Processor* const> processors) override {
         for (topology::NodeIndex node = 0; node < processors.size(); ++node) {
             for (const isa::Segment& segment : memory_of(node)) {
                 processors[node]->core().write_memory(segment.address, segment.bytes);
@@ -46,7 +45,7 @@ class StrothotteJob final : public HostJob {
         }
     }
 
-    host::Picture collect(const std::vector<Processor*>& processors) const override {
+    host::Picture collect(std::span<Processor* const> processors) const override {
         host::Picture picture(view_.width, view_.height, 1,
                               static_cast<std::uint8_t>(view_.background));
         for (topology::NodeIndex node = 0; node < processors.size(); ++node) {
@@ -60,6 +59,8 @@ class StrothotteJob final : public HostJob {
         view.degrees = rotation_.start + static_cast<double>(frame) * rotation_.degrees;
         return host::reference_render(host::project(facets_, topology_, view), view);
     }
+
+    int background() const override { return view_.background; }
 
     std::string remarks() const override {
         std::string text =
@@ -112,22 +113,8 @@ class StrothotteJob final : public HostJob {
 
 }  // namespace
 
-std::unique_ptr<HostJob> make_job(const MachineDescription& description, const Topology& topology,
-                                  const isa::Image& image) {
-    if (!description.scene) {
-        return nullptr;
-    }
-    if (topology.triangles.empty()) {
-        throw description.error("topology.kind", description.topology.kind,
-                                "cannot hold a scene's object", "geodesic, or no scene");
-    }
-    try {
-        return std::make_unique<StrothotteJob>(description, topology, image);
-    } catch (const config::ConfigError&) {
-        throw;
-    } catch (const std::invalid_argument& problem) {
-        throw description.error("scene", {}, problem.what());
-    }
+std::unique_ptr<HostJob> make_strothotte_job(const Blueprint& blueprint) {
+    return std::make_unique<StrothotteJob>(blueprint);
 }
 
 }  // namespace rasterloom::emulation

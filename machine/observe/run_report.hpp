@@ -3,6 +3,7 @@
 // same on any machine; how long the emulation itself took is not part of it.
 #pragma once
 
+#include "machine/observe/fabric_report.hpp"
 #include "machine/kernel/clock.hpp"
 #include "machine/kernel/time.hpp"
 #include "machine/node/node_statistics.hpp"
@@ -69,7 +70,8 @@ struct RunReport {
     std::vector<Time> frame_ends;
     std::vector<PhaseReport> phases;
     std::vector<NodeReport> nodes;
-    std::vector<LinkReport> links;
+    std::vector<LinkReport> links;         // of a graph
+    std::vector<FabricPartReport> fabric;  // of a machine that deals out the screen
     std::vector<std::string> phase_names;     // [phase of the frame]; may be shorter
     std::vector<std::string> activity_names;  // [activity that MARK names]; may be shorter
     // Handled by the kernel: depends on how the run was sliced, so it is in no file.

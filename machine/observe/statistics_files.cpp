@@ -131,6 +131,37 @@ Json frames_json(const RunReport& report) {
     return json;
 }
 
+Json fifo_json(const FifoReport& fifo) {
+    return {{"peak", fifo.peak}, {"mean", fifo.mean}, {"full_ps", fifo.full.picoseconds()}};
+}
+
+Json fabric_json(const RunReport& report) {
+    Json json = Json::array();
+    for (const FabricPartReport& part : report.fabric) {
+        Json row{{"name", part.name},
+                 {"kind", name_of(part.part)},
+                 {"polygons", part.polygons},
+                 {"vertices", part.vertices},
+                 {"words", part.words},
+                 {"busy_ps", part.busy.picoseconds()},
+                 {"blocked_ps", part.blocked.picoseconds()}};
+        if (!part.waited_for.empty()) {
+            row["waited_for"] = part.waited_for;
+            row["waited_for_ps"] = part.waited_for_it.picoseconds();
+        }
+        if (part.part != FabricPart::host) {
+            row["input_fifo"] = fifo_json(part.input);
+        }
+        if (part.part == FabricPart::splitter) {
+            row["cut"] = part.cut;
+            row["low"] = {{"polygons", part.low_polygons}, {"fifo", fifo_json(part.low)}};
+            row["high"] = {{"polygons", part.high_polygons}, {"fifo", fifo_json(part.high)}};
+        }
+        json.push_back(std::move(row));
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string statistics_json(const RunReport& report) {
@@ -148,6 +179,9 @@ std::string statistics_json(const RunReport& report) {
     json["frames"] = frames_json(report);
     json["phases"] = phases_json(report);
     json["activities"] = activities_json(report);
+    if (!report.fabric.empty()) {
+        json["fabric"] = fabric_json(report);
+    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

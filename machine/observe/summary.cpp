@@ -135,6 +135,30 @@ void add_phases(std::string& text, const RunReport& report) {
     }
 }
 
+// How evenly the work was shared out.
+void add_balance(std::string& text, const RunReport& report) {
+    const Duration whole = report.end.since_start();
+    Duration sum;
+    Duration waiting;
+    const NodeReport* busiest = &report.nodes.front();
+    for (const NodeReport& node : report.nodes) {
+        sum += node.statistics.in_state(NodeState::busy);
+        waiting += node.statistics.in_state(NodeState::waiting_input);
+        if (node.statistics.in_state(NodeState::busy) >
+            busiest->statistics.in_state(NodeState::busy)) {
+            busiest = &node;
+        }
+    }
+    const auto nodes = static_cast<std::int64_t>(report.nodes.size());
+    const Duration most = busiest->statistics.in_state(NodeState::busy);
+    fmt::format_to(std::back_inserter(text),
+                   "Processors      busiest {}: {} cycles, busy {:.1f}% of the time; mean {:.1f}%, "
+                   "so {:.3g} x the mean; {:.1f}% waiting for polygons\n",
+                   busiest->name, busiest->statistics.cycles, 100 * share(most, whole),
+                   100 * share(sum, whole * nodes), share(most * nodes, sum),
+                   100 * share(waiting, whole * nodes));
+}
+
 void add_busiest(std::string& text, const RunReport& report) {
     const auto out = std::back_inserter(text);
     const Duration whole = report.end.since_start();
@@ -172,9 +196,9 @@ std::string summary(const RunReport& report, double wall_seconds) {
     std::string text;
     const auto out = std::back_inserter(text);
     const std::int64_t instructions = report.instructions();
-    fmt::format_to(out, "{}: {} node{}, {} links\n",
-                   report.machine.empty() ? "machine" : report.machine, report.nodes.size(),
-                   report.nodes.size() == 1 ? "" : "s", report.links.size());
+    fmt::format_to(out, "{}: {} node{}", report.machine.empty() ? "machine" : report.machine,
+                   report.nodes.size(), report.nodes.size() == 1 ? "" : "s");
+    text += report.fabric.empty() ? fmt::format(", {} links\n", report.links.size()) : "\n";
     add_frames(text, report);
     fmt::format_to(out, "Machine time    {} = {} u\n", human(report.end.since_start()),
                    report.units(report.end.since_start()));
@@ -190,6 +214,10 @@ std::string summary(const RunReport& report, double wall_seconds) {
                        human(Duration::picoseconds(static_cast<std::int64_t>(wall_seconds * 1e12))),
                        static_cast<double>(instructions) / wall_seconds / 1e6,
                        seconds(report.end.since_start()) / wall_seconds, report.events);
+    }
+    if (!report.fabric.empty()) {
+        add_balance(text, report);
+        text += fabric_summary(report.fabric, report.end.since_start());
     }
     add_phases(text, report);
     add_busiest(text, report);

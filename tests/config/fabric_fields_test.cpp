@@ -15,29 +15,31 @@ TEST(FabricKeys, HaveTheDefaultsOfAMachineThatCouldBeBuilt) {
     const MachineDescription machine = load_text(kSmallMachine);
     EXPECT_FALSE(machine.fabric.ideal);
     EXPECT_EQ(machine.fabric.splitter.time_per_vertex, Duration::nanoseconds(600));
-    EXPECT_EQ(machine.fabric.bus_time_per_word, Duration::nanoseconds(300));
+    EXPECT_EQ(machine.fabric.bus.time_per_word, Duration::nanoseconds(300));
     EXPECT_EQ(machine.fabric.splitter.input_fifo, 4);
     EXPECT_EQ(machine.fabric.processor_fifo, 4);
     EXPECT_EQ(machine.fabric.frame_buffer, FrameBufferKind::local);
     EXPECT_EQ(machine.host.time_per_polygon, Duration::microseconds(10));
-    EXPECT_EQ(machine.host.order, PolygonOrder::mesh);
+    EXPECT_EQ(machine.host.order, host::PolygonOrder::mesh);
 }
 
 TEST(FabricKeys, AreReadAndExported) {
     const MachineDescription machine = load_text(
         kSmallMachine,
         {"fabric={ideal: true, splitter: {time_per_vertex: 1us, input_fifo: 2, output_fifo: 3}, "
-         "polygon_bus: {time_per_word: 100ns}, processor_fifo: 5, frame_buffer: bus, "
+         "polygon_bus: {time_per_word: 100ns, input_fifo: 9}, processor_fifo: 5, frame_buffer: "
+         "bus, "
          "frame_buffer_bus: {time_per_pixel: 150ns}, latency: 2us, half_digested: true}",
          "host={time_per_polygon: 0ns, time_per_vertex: 1us, order: shuffled, seed: 7}",
          "nodes.symbols={full: 0, limit: -3}",
          "scene={object: random_polygons, polygons: 12, seed: 3, background: 9}"});
     EXPECT_TRUE(machine.fabric.ideal);
     EXPECT_EQ(machine.fabric.splitter.output_fifo, 3);
+    EXPECT_EQ(machine.fabric.bus.input_fifo, 9);
     EXPECT_EQ(machine.fabric.frame_buffer, FrameBufferKind::bus);
     EXPECT_EQ(machine.fabric.frame_buffer_time_per_pixel, Duration::nanoseconds(150));
     EXPECT_TRUE(machine.fabric.half_digested);
-    EXPECT_EQ(machine.host.order, PolygonOrder::shuffled);
+    EXPECT_EQ(machine.host.order, host::PolygonOrder::shuffled);
     EXPECT_EQ(machine.host.seed, 7);
     EXPECT_EQ(machine.nodes.symbols.at("limit"), -3);
     EXPECT_EQ(machine.scene->polygons, 12);
@@ -69,6 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"fabric.splitter.output_fifo=-1", "out of range '-1'"},
         Bad{"fabric.polygon_bus=3us", "a value where a mapping belongs"},
         Bad{"fabric.polygon_bus.time_per_word=-3us", "polygon_bus.time_per_word"},
+        Bad{"fabric.polygon_bus.input_fifo=0", "out of range '0'"},
         Bad{"fabric.processor_fifo=65536", "out of range '65536'"},
         Bad{"fabric.frame_buffer=shared", "no such choice 'shared'; expected one of local, bus"},
         Bad{"fabric.frame_buffer_bus.time_per_pixel=x", "frame_buffer_bus.time_per_pixel"},

@@ -19,6 +19,7 @@ inline RunReport small_run() {
                      .phases = {},
                      .nodes = {},
                      .links = {},
+                     .fabric = {},
                      .phase_names = {"rotate"},
                      .activity_names = {"", "route"},
                      .events = 17};

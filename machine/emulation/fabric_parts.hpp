@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machine/emulation/blueprint.hpp"
+#include "machine/emulation/machine.hpp"
+#include "machine/observe/fabric_report.hpp"
+
+#include <vector>
+
+namespace rasterloom::emulation {
+
+// What the fabric's parts have counted until `end`: the host, then the elements in the
+// distribution's order, then the frame-buffer bus. Empty where the machine is a graph.
+std::vector<observe::FabricPartReport> gather_fabric(const Blueprint& blueprint,
+                                                     const Machine& machine, Time end);
+
+}  // namespace rasterloom::emulation
