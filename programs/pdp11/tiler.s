@@ -8,6 +8,7 @@
 ;   full              1: slopes with 15 bits of fraction (default). 0: whole numbers, as in the thesis' listing
 ;   skip_deltas       1: no division for a slope that nothing will use, or that is 0. 0: always divide (default)
 ;   frame_buffer_bus  1: the image is written over the frame-buffer bus. 0: in memory (default)
+;   half_digested     1: polygons are set up by one processor each, which broadcasts them to the others. 0: by all (default)
 ;
 ; How it goes. A polygon's vertices are looked through once for the highest and the lowest. Its left side then runs downwards
 ; through the vertices as they follow each other, its right side against their order. A side stands on an edge, with x, z
@@ -34,12 +35,20 @@ full = 1
 skip_deltas = 0
         .endc
 
+        .ifndf  half_digested
+half_digested = 0
+        .endc
+
 phases_per_frame = 1
 phase_name_draw  = 0
 
         .include "include/node.s"
         .include "include/frame_buffer.s"
         .include "tiler/slope.s"
+        .include "tiler/neighbour.s"
+        .if ne half_digested
+        .include "tiler/digest_side.s"
+        .endc
 
         . = 1000
 
@@ -55,12 +64,18 @@ finish: halt
 start:  tst     @#io_phase              ; so that WAITFOR knows which one it is
 clear_frame:
         mov     background, @#io_fbclear
+
+        .ifeq   half_digested
 tap_idle:
 next_polygon:
         mov     #message, @#ports_base+rxaddr   ; holds until a message is there
         mov     vertex_count, r1
         beq     end_of_frame
+        .else
+        .include "tiler/digest.s"
+        .endc
 
+begin_polygon:
         .include "tiler/polygon.s"
         .include "tiler/segment.s"
         .include "tiler/lead.s"

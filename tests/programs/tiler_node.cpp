@@ -4,9 +4,11 @@
 #include "isa/assembler.hpp"
 #include "isa/pdp11/pdp11.hpp"
 #include "machine/emulation/tiler_loader.hpp"
+#include "machine/fabric/polygon_message.hpp"
 #include "machine/node/frame_buffer.hpp"
 #include "machine/node/registers.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -15,13 +17,17 @@ namespace rasterloom::test {
 
 namespace {
 
-constexpr std::uint32_t kReceive =
-    kPortRegisters + static_cast<std::uint32_t>(PortRegister::rxaddr);
 constexpr std::uint32_t kSelectRow = 0166000;
 constexpr std::uint32_t kClear = 0166002;
 constexpr int kStackPointer = 6;
 constexpr std::int64_t kLongestRun = 2'000'000'000;  // cycles
 
+constexpr int kBackground = 9;
+constexpr std::uint32_t kRunIsOver = 0177777;
+
+constexpr std::uint32_t at_port(std::uint32_t port, PortRegister reg) {
+    return kPortRegisters + port * kPortStride + static_cast<std::uint32_t>(reg);
+}
 constexpr std::uint32_t own(NodeRegister reg) {
     return kNodeRegisters + static_cast<std::uint32_t>(reg);
 }
@@ -38,7 +44,8 @@ const Program& program(const TilerVariant& variant) {
         isa::AssemblerOptions options;
         options.defines = {{"full", variant.full ? 1 : 0},
                            {"skip_deltas", variant.skip_deltas ? 1 : 0},
-                           {"frame_buffer_bus", variant.bus ? 1 : 0}};
+                           {"frame_buffer_bus", variant.bus ? 1 : 0},
+                           {"half_digested", variant.digests ? 1 : 0}};
         const isa::Isa& isa = isa::pdp11::pdp11_isa();
         made.image =
             isa::assemble_image(isa, RASTERLOOM_SOURCE_DIR "/programs/pdp11/tiler.s", options);
@@ -51,7 +58,8 @@ const Program& program(const TilerVariant& variant) {
 
 std::string name_of(const TilerVariant& variant) {
     return fmt::format("{}{}{}", variant.full ? "full" : "thesis",
-                       variant.skip_deltas ? ", skipping deltas" : "", variant.bus ? ", bus" : "");
+                       variant.skip_deltas ? ", skipping deltas" : "", variant.bus ? ", bus" : "") +
+           (variant.digests ? ", half-digested" : "");
 }
 
 const isa::Image& tiler_image(const TilerVariant& variant) {
@@ -74,15 +82,26 @@ void TilerNode::draw(std::span<const Polygon> polygons) {
 }
 
 void TilerNode::draw_frames(std::span<const std::vector<Polygon>> frames) {
-    for (const std::vector<Polygon>& polygons : frames) {
-        waiting_.insert(waiting_.end(), polygons.begin(), polygons.end());
-        waiting_.emplace_back();
-        ++frames_left_;
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+        for (const Polygon& polygon : frames[frame]) {
+            inputs[0].push_back(polygon_message(&polygon));
+        }
+        inputs[0].push_back(polygon_message(nullptr));
+        run();
+        if (!has_ended_frame()) {
+            throw std::runtime_error("the program waits for what never comes");
+        }
+        announce(frame + 1 < frames.size());
     }
-    while (cycles_ < kLongestRun) {
+    run();
+}
+
+bool TilerNode::run() {
+    const std::int64_t begin = cycles_;
+    while (!halted_ && cycles_ - begin < kLongestRun) {
         isa::Stop stop = core_->run(10'000'000);
+        const std::int64_t spent = stop.cycles;
         if (stop.reason == isa::StopReason::io) {
-            const std::int64_t spent = stop.cycles;
             stop = core_->step(*this);
             stop.cycles += spent;
         }
@@ -90,19 +109,32 @@ void TilerNode::draw_frames(std::span<const std::vector<Polygon>> frames) {
         if (section_ != nullptr) {
             section_->cycles += stop.cycles;
         }
-        if (stop.reason == isa::StopReason::tap) {
-            note_tap();
-        }
-        if (stop.reason == isa::StopReason::trap) {
-            throw std::runtime_error(
-                fmt::format("trap at {:06o}: {}", stop.trap->pc, stop.trap->what));
-        }
-        if (stop.reason == isa::StopReason::halt) {
-            keep_row();
-            return;
+        switch (stop.reason) {
+            case isa::StopReason::tap:
+                note_tap();
+                break;
+            case isa::StopReason::trap:
+                throw std::runtime_error(
+                    fmt::format("trap at {:06o}: {}", stop.trap->pc, stop.trap->what));
+            case isa::StopReason::retry:
+                return cycles_ > begin;
+            case isa::StopReason::halt:
+                keep_row();
+                halted_ = true;
+                return true;
+            default:
+                break;
         }
     }
-    throw std::runtime_error("the program does not come to an end");
+    if (!halted_) {
+        throw std::runtime_error("the program does not come to an end");
+    }
+    return false;
+}
+
+void TilerNode::announce(bool another_frame) {
+    phase_ = another_frame ? phase_ + 1 : kRunIsOver;
+    credit_ = 1;
 }
 
 int TilerNode::grey(int row, int column) const {
@@ -139,8 +171,20 @@ std::uint16_t TilerNode::word(std::uint32_t address) const {
 }
 
 isa::Bus::Read TilerNode::read(std::uint32_t address, int bytes) {
-    if (bytes == 2 && address == own(NodeRegister::phase)) {
-        return {Status::ok, frames_left_ == 0 ? 0177777U : 0U};
+    if (bytes != 2) {
+        return {};
+    }
+    if (address == own(NodeRegister::phase)) {
+        phase_seen_ = phase_;
+        return {Status::ok, phase_};
+    }
+    if (address == own(NodeRegister::txroom)) {
+        return {Status::ok, outputs.size() < output_places ? 2U : 0U};
+    }
+    for (std::uint32_t port = 0; port < 2; ++port) {
+        if (address == at_port(port, PortRegister::rxstat)) {
+            return {Status::ok, inputs[port].empty() ? 0U : kStatReady};
+        }
     }
     return {};
 }
@@ -149,44 +193,60 @@ isa::Bus::Status TilerNode::write(std::uint32_t address, std::uint32_t value, in
     if (bytes != 2) {
         return Status::fault;
     }
-    if (address == kReceive) {
-        receive(value);
-    } else if (address == kSelectRow) {
+    for (std::uint32_t port = 0; port < 2; ++port) {
+        if (address == at_port(port, PortRegister::rxaddr)) {
+            return receive(inputs[port], value);
+        }
+    }
+    if (address == at_port(1, PortRegister::txaddr)) {
+        send_address_ = value;
+        return Status::ok;
+    }
+    if (address == at_port(1, PortRegister::txlen)) {
+        return send(value);
+    }
+    if (variant_.bus && row_ >= 0 && address >= kBusImageWindow) {
+        image_.at(index(row_, static_cast<int>(address - kBusImageWindow) / 2)) =
+            static_cast<std::int16_t>(value);
+        return Status::ok;
+    }
+    return write_own(address, value);
+}
+
+isa::Bus::Status TilerNode::write_own(std::uint32_t address, std::uint32_t value) {
+    if (address == kSelectRow) {
         select(value);
     } else if (address == kClear) {
         clear(static_cast<std::uint16_t>(value));
     } else if (address == own(NodeRegister::credit)) {
-        frames_left_ += static_cast<std::int16_t>(value);
-    } else if (variant_.bus && row_ >= 0 && address >= kBusImageWindow) {
-        image_.at(index(row_, static_cast<int>(address - kBusImageWindow) / 2)) =
-            static_cast<std::int16_t>(value);
-    } else if (address != own(NodeRegister::waitfor)) {
+        credit_ += static_cast<std::int16_t>(value);
+    } else if (address == own(NodeRegister::waitfor)) {
+        const bool message = !inputs[0].empty() || !inputs[1].empty();
+        const bool met = ((value & kWaitMessage) != 0 && message) ||
+                         ((value & kWaitPhase) != 0 && phase_ != phase_seen_);
+        return met ? Status::ok : Status::retry;
+    } else {
         return Status::fault;
     }
     return Status::ok;
 }
 
-void TilerNode::receive(std::uint32_t address) {
-    std::vector<std::uint8_t> bytes;
-    const auto add = [&](int value) {
-        bytes.push_back(static_cast<std::uint8_t>(value & 0xff));
-        bytes.push_back(static_cast<std::uint8_t>(value >> 8 & 0xff));
-    };
-    if (waiting_.empty()) {
-        throw std::runtime_error("the program waits for a message that never comes");
+isa::Bus::Status TilerNode::receive(std::deque<Message>& from, std::uint32_t address) {
+    if (from.empty()) {
+        return Status::retry;
     }
-    const auto& vertices = waiting_.front().vertices;
-    add(static_cast<int>(vertices.empty() ? PolygonMessage::end_of_frame
-                                          : PolygonMessage::polygon));
-    add(static_cast<int>(vertices.size()));
-    for (const PolygonVertex& v : vertices) {
-        add(v.x);
-        add(v.y);
-        add(v.z);
-        add(v.shade);
+    core_->write_memory(address, from.front());
+    from.pop_front();
+    return Status::ok;
+}
+
+isa::Bus::Status TilerNode::send(std::uint32_t length) {
+    if (outputs.size() >= output_places) {
+        throw std::runtime_error("the program sends without room");
     }
-    waiting_.pop_front();
-    core_->write_memory(address, bytes);
+    const auto bytes = core_->memory().subspan(send_address_, length);
+    outputs.emplace_back(bytes.begin(), bytes.end());
+    return Status::ok;
 }
 
 void TilerNode::keep_row() {
@@ -226,6 +286,16 @@ void TilerNode::clear(std::uint16_t shade) {
     std::fill(image_.begin(), image_.end(), static_cast<std::int16_t>(shade));
 }
 
+TilerNode::Message polygon_message(const Polygon* polygon) {
+    TilerNode::Message bytes;
+    if (polygon == nullptr) {
+        write_end_of_frame(bytes, 0);
+    } else {
+        write_polygon(bytes, polygon->vertices, 0);
+    }
+    return bytes;
+}
+
 std::string difference(const TilerNode& node, const host::DepthPicture& reference) {
     const topology::PixelGrid& grid = node.grid();
     for (int row = 0; row < grid.rows; ++row) {
@@ -246,17 +316,21 @@ std::string difference(const TilerNode& node, const host::DepthPicture& referenc
     return {};
 }
 
-std::string difference_of(const TilerVariant& variant, const topology::PixelGrid& grid,
-                          std::span<const Polygon> polygons, int width, int height) {
-    constexpr int kBackground = 9;
-    TilerNode node(variant, grid, width, height, kBackground);
-    node.draw(polygons);
+host::DepthPicture reference_of(const TilerVariant& variant, std::span<const Polygon> polygons,
+                                int width, int height) {
     host::PolygonRenderOptions options;
     options.width = width;
     options.height = height;
     options.background = kBackground;
     options.precision = variant.full ? host::Precision::full : host::Precision::thesis;
-    return difference(node, host::render_polygons(polygons, options));
+    return host::render_polygons(polygons, options);
+}
+
+std::string difference_of(const TilerVariant& variant, const topology::PixelGrid& grid,
+                          std::span<const Polygon> polygons, int width, int height) {
+    TilerNode node(variant, grid, width, height, kBackground);
+    node.draw(polygons);
+    return difference(node, reference_of(variant, polygons, width, height));
 }
 
 }  // namespace rasterloom::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One processor with the tiler in its memory, its frame buffer and the registers the tiler uses; no
-// machine around it. What it draws is compared with the reference renderer.
+// machine around it.
 #pragma once
 
 #include "isa/core.hpp"
@@ -10,6 +10,7 @@
 #include "machine/host/polygon_renderer.hpp"
 #include "topologies/tiling.hpp"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -25,6 +26,7 @@ struct TilerVariant {
     bool full = true;
     bool skip_deltas = false;
     bool bus = false;
+    bool digests = false;  // half-digested broadcast
 
     friend auto operator<=>(const TilerVariant&, const TilerVariant&) = default;
 };
@@ -34,13 +36,27 @@ const isa::Image& tiler_image(const TilerVariant& variant);
 
 class TilerNode final : private isa::Bus {
   public:
+    using Message = std::vector<std::uint8_t>;
+
     TilerNode(const TilerVariant& variant, const topology::PixelGrid& grid, int width, int height,
               int background = 0);
 
     // Draws the polygons and ends the frame. Throws std::runtime_error when the program traps,
-    // writes beside its windows or does not come to an end.
+    // stalls for ever, writes beside its windows or does not come to an end.
     void draw(std::span<const Polygon> polygons);
     void draw_frames(std::span<const std::vector<Polygon>> frames);
+
+    // The same piece by piece: messages that wait at ports 0 and 1, those sent by port 1 and how
+    // many of these there is room for.
+    std::array<std::deque<Message>, 2> inputs;
+    std::deque<Message> outputs;
+    std::size_t output_places = 1;
+    // Until it stalls or halts; whether it did anything.
+    bool run();
+    bool halted() const { return halted_; }
+    // Whether it has given its credit back and waits for the supervisor.
+    bool has_ended_frame() const { return credit_ == 0; }
+    void announce(bool another_frame);
 
     std::int16_t depth(int row, int column) const { return depth_.at(index(row, column)); }
     // Grey level.
@@ -62,7 +78,9 @@ class TilerNode final : private isa::Bus {
   private:
     Read read(std::uint32_t address, int bytes) override;
     Status write(std::uint32_t address, std::uint32_t value, int bytes) override;
-    void receive(std::uint32_t address);
+    Status write_own(std::uint32_t address, std::uint32_t value);
+    Status receive(std::deque<Message>& from, std::uint32_t address);
+    Status send(std::uint32_t length);
     void select(std::uint32_t row);
     void clear(std::uint16_t shade);
     void keep_row();
@@ -75,8 +93,11 @@ class TilerNode final : private isa::Bus {
     TilerVariant variant_;
     topology::PixelGrid grid_;
     std::unique_ptr<isa::Core> core_;
-    std::deque<Polygon> waiting_;  // one without vertices: the end of a frame
-    int frames_left_ = 0;          // not ended by the program
+    bool halted_ = false;
+    int credit_ = 1;
+    std::uint32_t phase_ = 0;
+    std::uint32_t phase_seen_ = 0;
+    std::uint32_t send_address_ = 0;
     int row_ = -1;
     std::vector<std::int16_t> depth_;
     std::vector<std::int16_t> image_;
@@ -88,8 +109,14 @@ class TilerNode final : private isa::Bus {
     std::vector<int> vertices_;
 };
 
+// As the host sends it; the end of the frame for none.
+TilerNode::Message polygon_message(const Polygon* polygon);
+
 // Where the processor's pixels differ from the reference, in words; empty: nowhere.
 std::string difference(const TilerNode& node, const host::DepthPicture& reference);
+
+host::DepthPicture reference_of(const TilerVariant& variant, std::span<const Polygon> polygons,
+                                int width, int height);
 
 // Draws on a fresh node with that grid and compares with the reference for the whole screen.
 std::string difference_of(const TilerVariant& variant, const topology::PixelGrid& grid,

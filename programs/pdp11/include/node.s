@@ -5,10 +5,13 @@
 txstat = 0
 txaddr = 2
 txlen  = 4
+rxstat = 10
 rxlen  = 12
 rxaddr = 14
 ports_base = 164000
+port_size = 20                  ; from one port's registers to the next one's
 tx_room_bit = 200
+rx_waits_bit = 200
 
 ; the node's own
 io_node    = 165000

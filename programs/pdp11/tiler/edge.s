@@ -4,67 +4,11 @@
 ; A side is on an edge from vertex a (at r5) down to vertex b (at r4), the neighbour of a on that side. On the present line its
 ; values are those of a, or, with a above the line by `lag` lines (interlaced rows), as far down the edge as the line is.
 
-; A value of the side at a, and its delta: both pushed before sp, which is the end of the values still to be made.
-; In: n in r2. Clobbers r0, r1, r3.
-        .macro  edge_value at
-        mov     at(r4), r1
-        sub     at(r5), r1
-        divide  r2, r3
-        .if ne full
-        mov     #100000, -(sp)          ; a half, for rounding
-        mov     at(r5), -(sp)
-        join_slope r3, r0
-        mov     r3, to_delta(sp)
-        mov     r0, to_delta+2(sp)
-        .iff
-        mov     at(r5), -(sp)
-        mov     r0, to_delta(sp)
+        .ifeq   half_digested
+        .include "edge_value.s"
+        .else
+        .include "edge_ready.s"
         .endc
-        .endm
-
-; The same `lag` lines below a, with rows y_step lines apart.
-        .macro  edge_value_below at
-        mov     at(r4), r1
-        sub     at(r5), r1
-        divide  r2, r3
-        .if ne full
-        mov     r3, whole
-        mov     r0, fraction
-        value_after lag, at(r5)
-        mov     r1, -(sp)
-        mov     r0, -(sp)
-        mov     whole, r0
-        mov     fraction, r1
-        scale_slope y_step, y_shift
-        mov     r0, to_delta(sp)
-        mov     r1, to_delta+2(sp)
-        .iff
-        value_after lag, at(r5)
-        mov     r1, -(sp)
-        scale_slope y_step, y_shift
-        mov     r0, to_delta(sp)
-        .endc
-        .endm
-
-; r4 = the vertex after the one at r5, on that side.
-        .macro  left_neighbour ?no_wrap
-        mov     r5, r4
-        add     #vertex_size, r4
-        cmp     r4, vertices_end
-        blo     no_wrap
-        mov     #first_y, r4
-no_wrap:
-        .endm
-
-        .macro  right_neighbour ?no_wrap
-        mov     r5, r4
-        sub     #vertex_size, r4
-        cmp     r4, #first_y
-        bhis    no_wrap
-        mov     vertices_end, r4
-        sub     #vertex_size, r4
-no_wrap:
-        .endm
 
 ; One side's part in an event: it goes on along its edge or comes to a vertex. `side'_begins takes the first vertex in r5.
 ; All this ends at `side'_set.
@@ -86,6 +30,10 @@ side'_begins:
         mov     lag_at(r0), r0          ; 0, or 1 more than the lag
 ; Here r2 is the y of a, r0 0 or 1 more than its height above the line.
 side'_walk:
+        .if ne half_digested
+        cmp     r2, message_lowest
+        beq     side'_ends
+        .endc
         side'_neighbour
         mov     (r4), r3
         mov     r3, r1
@@ -104,7 +52,7 @@ side'_plain:
         cmp     r1, row
         bge     side'_exact
         .endc
-        sub     r3, r2
+        edge_height
         mov     #side'_end, sp
         edge_value at_shade
         edge_value at_z
@@ -119,6 +67,10 @@ side'_passes:
 tap_vertex_'side'_passed:
         mov     r4, r5
         br      side'_distance
+        .if ne half_digested
+side'_ends:                             ; the lowest vertex has no neighbour here
+        mov     row, r1
+        .endc
 side'_stands:
         mov     r1, side'_row
         mov     r4, side'_next
@@ -150,7 +102,7 @@ side'_below:
 side'_scaled:
         .endc
         mov     r0, lag
-        sub     r3, r2
+        edge_height
         mov     #side'_end, sp
         edge_value_below at_shade
         edge_value_below at_z

@@ -23,6 +23,7 @@ lead_segment:
         mov     r1, start_z+2
         mov     whole, r0
         mov     fraction, r1
+        join_slope r0, r1
         scale_slope x_step, x_shift
         mov     r0, pixel_dz
         mov     r1, pixel_dz+2
@@ -36,6 +37,7 @@ lead_segment:
         mov     r1, r2
         mov     whole, r0
         mov     fraction, r1
+        join_slope r0, r1
         scale_slope x_step, x_shift
         mov     r0, pixel_dshade
         mov     r1, r0

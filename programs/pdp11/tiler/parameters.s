@@ -27,17 +27,32 @@ lag_at:         .blkw   max_size
 line_of:        .blkw   max_size
 parameters_end:
 
-; ---- the polygon's message as it was received
+; ---- the message in hand: a polygon as the host sent it, or digested
+        .if ne full
+value_size = 4
+        .iff
+value_size = 2
+        .endc
+record_size = 10+<3*value_size>         ; of a digested polygon's vertex: x, y, z, shade, their slopes down its edge
+longest_message = 10+<14.*record_size>+<2*10>
+
 message:        .blkb   2               ; kind, hops
 vertex_count:   .blkw   1               ; 0: the frame ends
-vertices:       .blkw   14.*4           ; x, y, z, shade each
-                .blkb   256.-<.-message>        ; the longest message
+vertices:                               ; x, y, z, shade each
+message_right:  .blkw   1               ; digested: from `message` to the first record of the right side
+message_lowest: .blkw   1               ; the lowest y
+message_records:                        ; of the left side
+                .blkb   longest_message-<.-message>
 ; Places of a vertex' words, from its y: pointers to vertices hold the address of y.
 at_x = -2
 at_z = 2
 at_shade = 4
 vertex_size = 10
-first_y = vertices+2                    ; of the first vertex
+first_y = vertices-at_x                 ; of the first vertex
+message_left = message_records-at_x     ; of the first record
+slope_of_at_x     = 6                   ; likewise, in a record
+slope_of_at_z     = 6+value_size
+slope_of_at_shade = 6+<2*value_size>
 vertices_end:   .blkw   1               ; first_y of one behind the last
 
 ; ---- its progress
@@ -51,11 +66,6 @@ right_row:      .blkw   1
 
 ; ---- its sides on the present line, and what is added from line to line. Full precision: 32 bits, high word first, 16 of them
 ; fraction. The words are used from the last to the first, because -(r) costs a cycle less than (r)+ and X(r).
-        .if ne full
-value_size = 4
-        .iff
-value_size = 2
-        .endc
 left_x:         .blkb   value_size
 left_z:         .blkb   value_size
 left_shade:     .blkb   value_size
@@ -81,3 +91,15 @@ whole:          .blkw   1               ; a slope's parts
 fraction:       .blkw   1
 start_z:        .blkw   2               ; at that pixel
 start_shade:    .blkw   2
+
+; ---- the polygon that is being digested: a message
+        .if ne half_digested
+digest_port = ports_base+port_size
+digest_room = 2                         ; its bit in TXROOM
+digest:         .byte   3, 0
+digest_vertices: .blkw  1
+digest_right:   .blkw   1
+digest_lowest:  .blkw   1
+digest_left:    .blkb   28.*record_size ; twice what a convex polygon needs; TXLEN refuses what is too long
+digest_top:     .blkw   1               ; of the right side
+        .endc

@@ -37,13 +37,18 @@ divided:
         sbc     whole
         .endm
 
-; The slope from step to step of a grid from the slope from one pixel or line to the next.
-; full: in: I in r0, F in r1; out: the 32-bit slope in r0:r1. thesis: r0 = r0 * step, r1 is spent. Clobbers r3.
+; The reverse: the low word of a 32-bit slope becomes an F that is not negative; the high word is the I that goes with it.
+        .macro  split_slope low
+        clc
+        ror     low
+        .endm
+
+; The slope from step to step of a grid from the slope from one pixel or line to the next, in place: 32 bits in r0:r1, or in
+; thesis precision r0 (r1 is spent then). Clobbers r3.
         .macro  scale_slope step, shift, ?by_product, ?scaled
         mov     shift, r3
         bmi     by_product
         .if ne full
-        join_slope r0, r1
         ashc    r3, r0
         .iff
         ash     r3, r0
@@ -53,6 +58,7 @@ by_product:
         .if ne full
         mov     r0, r3
         mul     step, r3                ; an odd register: the product's low word
+        split_slope r1
         mov     r1, r0
         mul     step, r0
         asl     r1
