@@ -16,6 +16,11 @@ void add_config_options(CLI::App& command, ConfigOptions& options) {
                     "Change a value of the configuration; may be given several times")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    command
+        .add_option("--mesh", options.mesh,
+                    "Draw this mesh (any format that assimp reads): scene.object, or scene.model "
+                    "of a scene that has one")
+        ->type_name("FILE");
 }
 
 namespace {

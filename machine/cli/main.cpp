@@ -26,6 +26,8 @@ constexpr const char* kFooter =
     "  rasterloom run configs/geodesic482.yaml --set scene.rotate.start=180\n"
     "      (the first frame is turned by 180 degrees already)\n"
     "  rasterloom describe configs/geodesic482.yaml\n"
+    "  rasterloom run configs/splitter16.yaml --set fabric.ideal=true --compare\n"
+    "      (Parks' machine of 16 processors, as the thesis assumes it)\n"
     "\n"
     "Exit status: 0 success; 1 a defect of the emulator; 2 wrong usage, configuration or input;\n"
     "3 the emulated machine failed (guest error, deadlock, time limit).\n"

@@ -180,11 +180,6 @@ void add_run_command(CLI::App& app, Session& session) {
                                            "Emulate a machine: pictures, statistics.json, "
                                            "nodes.csv, links.csv, messages.csv and a summary");
     add_config_options(*command, options->config);
-    command
-        ->add_option("--mesh", options->config.mesh,
-                     "Draw this mesh (any format that assimp reads): scene.object, or "
-                     "scene.model of a scene that has one")
-        ->type_name("FILE");
     command->add_option("--frames", options->config.frames, "Draw so many frames: run.frames")
         ->type_name("N");
     command

@@ -5,9 +5,12 @@
 #include "machine/host/polygon_scenes.hpp"
 #include "machine/host/scenes.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace rasterloom::emulation {
 
@@ -20,26 +23,37 @@ host::Mesh read_mesh(const config::SceneDescription& scene) {
     return mesh;
 }
 
-std::string nearest_object(const std::string& name) {
+std::vector<std::string> names_of_objects() {
     std::vector<std::string> names;
     for (const host::SceneObject& object : host::scene_objects()) {
         names.emplace_back(object.name);
     }
+    return names;
+}
+
+[[noreturn]] void refuse_name(const config::MachineDescription& machine) {
+    std::vector<std::string> names = names_of_objects();
     for (const host::PolygonScene& scene : host::polygon_scenes()) {
         names.emplace_back(scene.name);
     }
-    return config::nearest_name(name, names);
+    const std::string& name = machine.scene->object;
+    throw machine.error("scene.object", name, "no such object or scene",
+                        fmt::format("one of {}, or a file", fmt::join(names, ", ")),
+                        config::nearest_name(name, names));
 }
 
 }  // namespace
 
 host::Mesh make_object(const config::MachineDescription& machine) {
     const config::SceneDescription& scene = *machine.scene;
+    const std::vector<std::string> names = names_of_objects();
+    if (!scene.mesh && std::find(names.begin(), names.end(), scene.object) == names.end()) {
+        refuse_name(machine);
+    }
     try {
         return scene.mesh ? read_mesh(scene) : host::make_scene_object(scene.object);
     } catch (const std::exception& problem) {
-        throw machine.error("scene.object", {}, problem.what(), {},
-                            scene.mesh ? "" : nearest_object(scene.object));
+        throw machine.error("scene.object", {}, problem.what());
     }
 }
 

@@ -14,6 +14,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
+using testing::Not;
 using testing::StartsWith;
 
 class Commands : public CommandLine {};
@@ -97,6 +98,46 @@ TEST_F(Commands, DescribeWritesADrawingAndTables) {
     EXPECT_THAT(read_text(folder_ / "work/ring.svg"), HasSubstr("<svg"));
 }
 
+TEST_F(Commands, DescribeSaysHowAScreenIsDealtOut) {
+    const Finished described = rasterloom({"describe", "hybrid16.yaml"});
+    EXPECT_EQ(described.status, 0) << described.err;
+    EXPECT_THAT(described.out, HasSubstr("16, each 128 x 128 pixels of 512 x 512, 2 x 2 apart"));
+    EXPECT_THAT(described.out, HasSubstr("3 in a tree of 2 levels"));
+    EXPECT_THAT(described.out, HasSubstr("4, 4 listeners each"));
+    EXPECT_THAT(described.out, Not(HasSubstr("Distances")));
+    const Finished node = rasterloom({"describe", "hybrid16.yaml", "--node", "P6"});
+    EXPECT_THAT(node.out, HasSubstr("x 256, 258, ... 510, y 1, 3, ... 255"));
+    EXPECT_THAT(node.out, HasSubstr("splitter/0 cuts at x = 256: high side"));
+    EXPECT_THAT(node.out, HasSubstr("bus/1, 4 listeners"));
+    EXPECT_EQ(rasterloom({"describe", "hybrid16.yaml", "--svg", "h.svg", "--csv", "t"}).status, 0);
+    EXPECT_THAT(files(), ElementsAre("h.svg", "t", "t/elements.csv", "t/nodes.csv"));
+}
+
+TEST_F(Commands, RunAMachineThatDealsOutTheScreen) {
+    const Finished run =
+        rasterloom({"run", "interlace4.yaml", "--set", "screen={width: 64, height: 64}", "--set",
+                    "scene={object: random_polygons, polygons: 30}", "--compare", "--out", "o"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(files(), IsSupersetOf({"o/fabric.csv", "o/frame-000.png", "o/messages.csv",
+                                       "o/nodes.csv", "o/statistics.json"}));
+    EXPECT_THAT(files(), Not(IsSupersetOf({"o/links.csv"})));
+    EXPECT_THAT(run.out, HasSubstr("30 polygons sent"));
+    EXPECT_THAT(run.out, HasSubstr("x the mean"));
+    EXPECT_THAT(run.out, HasSubstr("; 0 pixels differ;"));
+    EXPECT_THAT(read_text(folder_ / "work/o/fabric.csv"), HasSubstr("\nbus/0,bus,31,"));
+}
+
+TEST_F(Commands, AMeshStandsInTheSceneOrIsTheScene) {
+    const std::string cube = RASTERLOOM_SOURCE_DIR "/tests/cli/programs/box.obj";
+    const auto effective = [&](const std::string& scene) {
+        return rasterloom({"describe", "uniprocessor.yaml", "--set", "scene.object=" + scene,
+                           "--mesh", cube, "--config"})
+            .out;
+    };
+    EXPECT_THAT(effective("teapot"), HasSubstr("  object: " + cube + "\n"));
+    EXPECT_THAT(effective("random_polygons"), HasSubstr("  object: " + cube + "\n"));
+}
+
 TEST_F(Commands, TheConfigurationInEffectRunsToTheSameEnd) {
     const Finished exported =
         rasterloom({"describe", "edge-list.yaml", "--config", "--set", "links.time_per_byte=3us"});
@@ -119,6 +160,7 @@ TEST_F(Commands, ListsEverythingThatConfigurationsName) {
     EXPECT_THAT(rasterloom({"list", "programs"}).out, HasSubstr("pdp11/strothotte.s"));
     const std::string scenes = rasterloom({"list", "scenes"}).out;
     EXPECT_THAT(scenes, HasSubstr("teapot"));
+    EXPECT_THAT(scenes, HasSubstr("polygons: random_polygons"));
     EXPECT_THAT(scenes, HasSubstr("scenes/cube.yaml"));
 }
 
