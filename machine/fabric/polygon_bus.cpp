@@ -52,7 +52,7 @@ void PolygonBus::handle(const Event& event) {
 
 void PolygonBus::take() {
     while (!busy_ && !input_.empty()) {
-        if (full_listeners_ > 0) {
+        if (!has_places()) {
             if (!held_) {
                 held_ = true;
                 held_since_ = now();
@@ -64,30 +64,40 @@ void PolygonBus::take() {
     }
 }
 
-// The listeners' messages leave now for the time at which the transfer ends: who listens is known
-// to have nothing to fear before.
+// The one who gets the oldest message; none when all do.
+std::optional<std::size_t> PolygonBus::only_listener() const {
+    const bool dealt =
+        settings_.deal && kind_of_polygon_message(input_.oldest().bytes) == PolygonMessage::polygon;
+    return dealt ? std::optional(turn_) : std::nullopt;
+}
+
+// Whether this listener has no place for the oldest message, which is to reach it.
+bool PolygonBus::lacks_place(std::size_t listener) const {
+    const auto only = only_listener();
+    return (!only || *only == listener) && !listeners_[listener].receiver_has_room();
+}
+
+bool PolygonBus::has_places() const {
+    const auto only = only_listener();
+    return only ? !lacks_place(*only) : full_listeners_ == 0;
+}
+
+// The listeners' messages leave now for the time at which the transfer ends.
 void PolygonBus::begin() {
-    const Message& from = input_.oldest();
-    const auto words = static_cast<std::int64_t>(from.bytes.size() / 2);
+    const std::vector<std::uint8_t>& bytes = input_.oldest().bytes;
+    const auto words = static_cast<std::int64_t>(bytes.size() / 2);
     const Duration occupied = words * settings_.time_per_word;
     ++statistics_.messages;
     statistics_.words += words;
     statistics_.busy += occupied;
-    for (std::size_t i = 0; i < listeners_.size(); ++i) {
-        OutputFifo& listener = listeners_[i];
-        Message& message = listener.add();
-        message.id = from.id;
-        message.source = from.source;
-        message.port = from.port;
-        message.queued = from.queued;
-        message.bytes.reserve(kMaxPolygonMessageBytes);  // once: the place is used again
-        message.bytes = from.bytes;
-        ++message.bytes[1];
-        listener.release(now(), [&](Message* leaving) {
-            send(listener_port(static_cast<int>(i)), static_cast<EventKind>(MessageEvent::deliver),
-                 to_payload(leaving), now() + occupied);
-        });
-        full_listeners_ += listener.receiver_has_room() ? 0 : 1;
+    if (const auto only = only_listener()) {
+        hand_to(*only, now() + occupied);
+        turn_ = (turn_ + 1) % listeners_.size();
+    } else {
+        for (std::size_t listener = 0; listener < listeners_.size(); ++listener) {
+            hand_to(listener, now() + occupied);
+        }
+        turn_ = 0;  // an end of frame, where polygons are dealt
     }
     if (occupied > Duration()) {
         busy_ = true;
@@ -95,6 +105,24 @@ void PolygonBus::begin() {
     } else {
         end();
     }
+}
+
+void PolygonBus::hand_to(std::size_t listener, Time end) {
+    const Message& from = input_.oldest();
+    OutputFifo& output = listeners_[listener];
+    Message& message = output.add();
+    message.id = from.id;
+    message.source = from.source;
+    message.port = from.port;
+    message.queued = from.queued;
+    message.bytes.reserve(kMaxPolygonMessageBytes);  // once: the place is used again
+    message.bytes = from.bytes;
+    ++message.bytes[1];
+    output.release(now(), [&](Message* leaving) {
+        send(listener_port(static_cast<int>(listener)),
+             static_cast<EventKind>(MessageEvent::deliver), to_payload(leaving), end);
+    });
+    full_listeners_ += output.receiver_has_room() ? 0 : 1;
 }
 
 void PolygonBus::end() {
@@ -111,7 +139,7 @@ void PolygonBus::book_held() {
     const Duration passed = now() - held_since_;
     statistics_.held += passed;
     for (std::size_t i = 0; i < listeners_.size(); ++i) {
-        if (!listeners_[i].receiver_has_room()) {
+        if (lacks_place(i)) {
             statistics_.held_by[i] += passed;
         }
     }
@@ -130,7 +158,7 @@ std::optional<std::string> PolygonBus::waits_for() const {
     }
     std::string without;
     for (std::size_t i = 0; i < listeners_.size(); ++i) {
-        if (!listeners_[i].receiver_has_room()) {
+        if (lacks_place(i)) {
             without += fmt::format("{}{}", without.empty() ? "" : ", ", i);
         }
     }

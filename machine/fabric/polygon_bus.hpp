@@ -10,6 +10,10 @@
 // occupies the bus for the message's words (two bytes each) x time_per_word and reaches all
 // listeners when it ends. The message keeps its place in the input FIFO so long. The end of a frame
 // is transferred like a polygon.
+//
+// A bus that deals, for half-digested broadcast (machine/fabric/turn_bus.hpp), hands polygon i of a
+// frame, from 0, to listener i mod `listeners` only, and waits for a place at that one only; the
+// end of the frame still goes to all.
 #pragma once
 
 #include "machine/fabric/message_fifo.hpp"
@@ -27,6 +31,7 @@ struct PolygonBusSettings {
     int input_fifo = 4;                                   // messages; at least 1
     int listeners = 1;                                    // at least 1
     int listener_places = 4;                              // messages, each; at least 1
+    bool deal = false;
 };
 
 struct PolygonBusStatistics {
@@ -54,14 +59,19 @@ class PolygonBus final : public Component {
 
   private:
     void take();
+    bool has_places() const;
     void begin();
+    void hand_to(std::size_t listener, Time end);
     void end();
+    std::optional<std::size_t> only_listener() const;
+    bool lacks_place(std::size_t listener) const;
     void book_held();
 
     PolygonBusSettings settings_;
     InputFifo input_;
     std::vector<OutputFifo> listeners_;
     int full_listeners_ = 0;  // have no place
+    std::size_t turn_ = 0;    // who gets the next polygon that is dealt
     bool busy_ = false;
     bool held_ = false;
     Time held_since_;

@@ -12,6 +12,9 @@ namespace {
 
 using topology::Distribution;
 
+// A processor's output queue has memory for all of its places.
+constexpr int kIdealOutputQueue = 1024;
+
 // The settings with `ideal` carried out.
 PolygonFabricSettings effective(const PolygonFabricSettings& settings) {
     PolygonFabricSettings result = settings;
@@ -20,6 +23,7 @@ PolygonFabricSettings effective(const PolygonFabricSettings& settings) {
         result.splitter_time_per_vertex = result.bus_time_per_word = Duration();
         result.splitter_input_fifo = result.splitter_output_fifo = kIdealFifo;
         result.bus_input_fifo = result.processor_fifo = kIdealFifo;
+        result.digest_output_queue = kIdealOutputQueue;
         result.latency = Duration::tick();
     }
     return result;
@@ -36,11 +40,13 @@ void check_processors(const Distribution& distribution, std::span<Processor* con
     }
     for (const Processor* processor : processors) {
         const MessagePorts& ports = processor->message_ports();
-        if (ports.count() != 1 || ports.transmits(0) || !ports.receives(0) ||
+        const int count = settings.half_digested ? 2 : 1;
+        if (ports.count() != count || ports.transmits(0) || !ports.receives(0) ||
+            ports.transmits(1) != settings.half_digested ||
             ports.input_queue() != settings.processor_fifo) {
-            throw WiringError(
-                fmt::format("{}: takes polygons at one port that only receives, {} of them waiting",
-                            processor->name(), settings.processor_fifo));
+            throw WiringError(fmt::format(
+                "{}: has {} message ports with {} places, not as set_polygon_ports() makes them",
+                processor->name(), ports.count(), ports.input_queue()));
         }
     }
 }
@@ -120,17 +126,40 @@ class Builder {
     End add(const std::string& name, const Distribution::Broadcast& broadcast) {
         const PolygonBusSettings settings{settings_.bus_time_per_word, settings_.bus_input_fifo,
                                           static_cast<int>(broadcast.processors.size()),
-                                          settings_.processor_fifo};
+                                          settings_.processor_fifo, settings_.half_digested};
         auto& bus = simulation_.add<PolygonBus>(name, settings);
         network_.buses.push_back(&bus);
         for (std::size_t i = 0; i < broadcast.processors.size(); ++i) {
             join({&bus, PolygonBus::listener_port(static_cast<int>(i))},
                  input_of(broadcast.processors[i]));
         }
+        if (settings_.half_digested) {
+            add_turn_bus("turn_" + name, broadcast.processors);
+        }
         return {&bus, PolygonBus::kInput};
     }
 
-    End add(const std::string&, const Distribution::Leaf& leaf) { return input_of(leaf.processor); }
+    void add_turn_bus(const std::string& name, std::span<const NodeIndex> processors) {
+        const TurnBusSettings settings{settings_.bus_time_per_word,
+                                       static_cast<int>(processors.size()),
+                                       settings_.processor_fifo};
+        auto& bus = simulation_.add<TurnBus>(name, settings);
+        network_.turn_buses.push_back(&bus);
+        for (int i = 0; i < settings.processors; ++i) {
+            Processor& processor = *processors_[processors[static_cast<std::size_t>(i)]];
+            join({&processor, Processor::transmit_port(1)}, {&bus, TurnBus::input_port(i)});
+            join({&bus, TurnBus::output_port(i)}, {&processor, Processor::receive_port(1)});
+        }
+    }
+
+    End add(const std::string& name, const Distribution::Leaf& leaf) {
+        if (settings_.half_digested) {
+            throw std::invalid_argument(
+                name +
+                ": has its part of the screen to itself, nobody shares half-digested polygons");
+        }
+        return input_of(leaf.processor);
+    }
 
     End input_of(NodeIndex processor) {
         if (processor >= processors_.size()) {
@@ -151,10 +180,11 @@ class Builder {
 
 void set_polygon_ports(Processor::Settings& processor, const PolygonFabricSettings& fabric,
                        const topology::PixelGrid& grid) {
-    processor.ports.ports = 1;
-    processor.ports.transmitting = 0;
-    processor.ports.receiving = 1;
-    processor.ports.output_queue = 1;
+    processor.ports.ports = fabric.half_digested ? 2 : 1;
+    processor.ports.transmitting = fabric.half_digested ? 2 : 0;
+    processor.ports.receiving = fabric.half_digested ? 3 : 1;
+    processor.ports.output_queue = effective(fabric).digest_output_queue;
+    processor.ports.receivers_queue = 1;  // a message's memory is free when the bus has taken it
     processor.ports.input_queue = effective(fabric).processor_fifo;
     processor.supervised = fabric.supervised;
     ImagePath image = ImagePath::memory;

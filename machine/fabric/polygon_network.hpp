@@ -15,6 +15,7 @@
 #include "machine/fabric/polygon_bus.hpp"
 #include "machine/fabric/polygon_source.hpp"
 #include "machine/fabric/polygon_splitter.hpp"
+#include "machine/fabric/turn_bus.hpp"
 #include "machine/kernel/simulation.hpp"
 #include "machine/node/processor.hpp"
 #include "topologies/tiling.hpp"
@@ -41,6 +42,11 @@ struct PolygonFabricSettings {
     // Over which pixels are written; none: they go straight into memory.
     std::optional<Duration> frame_buffer_bus_time_per_pixel;
     Duration latency = Duration::microseconds(1);  // of every wire; at least 1 tick
+    // Processors that share a part also share the set-up of its polygons:
+    // machine/fabric/turn_bus.hpp. Every part has to be shared then. processor_fifo holds for
+    // either port.
+    bool half_digested = false;
+    int digest_output_queue = 2;  // messages that wait at a processor for the turn bus
     int phases_per_frame = 1;
     bool supervised = true;
 };
@@ -52,6 +58,7 @@ struct PolygonNetwork {  // owned by the simulation
     PolygonSource* source = nullptr;
     std::vector<PolygonSplitter*> splitters;  // in the order of the distribution's elements
     std::vector<PolygonBus*> buses;           // likewise
+    std::vector<TurnBus*> turn_buses;         // [bus], where polygons are half-digested
     FrameBufferBus* frame_buffer_bus = nullptr;
 };
 
@@ -60,9 +67,10 @@ void set_polygon_ports(Processor::Settings& processor, const PolygonFabricSettin
                        const topology::PixelGrid& grid);
 
 // Adds the source ("host"), an element by its name in the distribution for every splitter and bus,
-// and "frame_buffer_bus"; lays all wires but those to the supervisor. processors[i] is the
-// distribution's processor i, its settings as set_polygon_ports() makes them. Throws WiringError
-// when the processors do not fit, std::invalid_argument when a setting is out of range.
+// for half-digested polygons "turn_bus/3" beside "bus/3", and "frame_buffer_bus"; lays all wires
+// but those to the supervisor. processors[i] is the distribution's processor i, its settings as
+// set_polygon_ports() makes them. Throws WiringError when the processors do not fit,
+// std::invalid_argument when a setting is out of range.
 PolygonNetwork connect_polygon_network(Simulation& simulation,
                                        const topology::Distribution& distribution,
                                        std::span<Processor* const> processors,

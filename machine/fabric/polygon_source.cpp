@@ -2,6 +2,7 @@
 #include "machine/fabric/polygon_source.hpp"
 
 #include "machine/fabric/polygon_message.hpp"
+#include "machine/fabric/supervisor.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -55,6 +56,9 @@ void PolygonSource::handle(const Event& event) {
     } else if (event.port == kOutput) {
         output_.credit();
         hand_on();
+    } else if (state_ != State::waiting) {
+        scheduler().fail(std::make_shared<CreditError>(
+            now(), name(), fmt::format("a phase ends while frame {} is being sent", frame_)));
     } else if (static_cast<std::uint16_t>(event.payload) == kRunOver) {
         over_ = true;
     } else {

@@ -32,11 +32,12 @@ MessagePorts::MessagePorts(NodeIndex node, const Settings& settings)
         throw std::invalid_argument(
             fmt::format("node {}: a message queue holds at least 1 message", node));
     }
+    const int receivers_queue = settings.receivers_queue.value_or(settings.input_queue);
     ports_.resize(static_cast<std::size_t>(settings.ports));
     for (int number = 0; number < settings.ports; ++number) {
         if (transmits(number)) {
             at(number).places.resize(
-                static_cast<std::size_t>(settings.output_queue + settings.input_queue));
+                static_cast<std::size_t>(settings.output_queue + receivers_queue));
         }
         if (receives(number)) {
             at(number).arrived.resize(

@@ -37,6 +37,8 @@ class MessagePorts {
         int output_queue = 2;  // messages, the one in transfer included; at least 1
         int input_queue = 4;   // messages; at least 1, and the same at the other end of every link
         SendPolicy send = SendPolicy::one_at_a_time;
+        // Messages that can wait at the other end of a link; none: as many as here.
+        std::optional<int> receivers_queue = {};
         // Bit k: port k has a way out, and a way in. A port without a way out never has room.
         std::uint32_t transmitting = kAllPorts;
         std::uint32_t receiving = kAllPorts;

@@ -19,8 +19,10 @@ namespace rasterloom {
 class PolygonCore final : public isa::Core {
   public:
     // Private memory: enough for the windows of a frame buffer.
-    explicit PolygonCore(std::int64_t cycles_per_vertex = 0)
-        : cycles_per_vertex_(cycles_per_vertex), memory_(0160000) {}
+    explicit PolygonCore(std::int64_t cycles_per_vertex = 0, int phases_per_frame = 1)
+        : cycles_per_vertex_(cycles_per_vertex),
+          phases_per_frame_(static_cast<unsigned>(phases_per_frame)),
+          memory_(0160000) {}
 
     std::vector<std::vector<Polygon>> frames{1};  // taken, the last one in progress
 
@@ -60,8 +62,12 @@ class PolygonCore final : public isa::Core {
                 if (phase.status != isa::Bus::Status::ok) {
                     return retry();
                 }
-                at_ = phase.value == kRunOver ? At::halt : At::receive;
-                if (at_ == At::receive) {
+                if (phase.value == kRunOver) {
+                    at_ = At::halt;
+                } else if (phase.value % phases_per_frame_ != 0) {
+                    at_ = At::credit;
+                } else {
+                    at_ = At::receive;
                     frames.emplace_back();
                 }
                 break;
@@ -107,6 +113,7 @@ class PolygonCore final : public isa::Core {
     }
 
     std::int64_t cycles_per_vertex_;
+    unsigned phases_per_frame_;
     std::vector<std::uint8_t> memory_;
     At at_ = At::receive;
     std::int64_t work_ = 0;  // cycles before the next access

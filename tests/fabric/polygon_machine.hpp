@@ -25,6 +25,8 @@ struct PolygonMachineSettings {
     bool run_ahead = true;
     bool backwards = false;  // makes the processors in falling order
     std::function<std::int64_t(NodeIndex)> cycles_per_vertex = [](NodeIndex) { return 0; };
+    // In place of PolygonCores, if given.
+    std::function<std::unique_ptr<isa::Core>(NodeIndex)> make_core;
 };
 
 class PolygonMachine : private NodeListener, private SupervisorListener {
@@ -59,7 +61,7 @@ class PolygonMachine : private NodeListener, private SupervisorListener {
     Simulation simulation;
     Supervisor* supervisor = nullptr;
     std::vector<Processor*> processors;
-    std::vector<PolygonCore*> cores;
+    std::vector<PolygonCore*> cores;  // null for another core
     PolygonNetwork network;
 
     std::vector<MessageRecord> messages;  // as they were consumed
@@ -73,8 +75,15 @@ class PolygonMachine : private NodeListener, private SupervisorListener {
         processor.clock = settings.clock;
         processor.run_ahead = settings.run_ahead;
         set_polygon_ports(processor, settings.fabric, distribution.grids[node]);
-        auto core = std::make_unique<PolygonCore>(settings.cycles_per_vertex(processor.node));
-        cores[node] = core.get();
+        std::unique_ptr<isa::Core> core;
+        if (settings.make_core) {
+            core = settings.make_core(processor.node);
+        } else {
+            auto collector = std::make_unique<PolygonCore>(
+                settings.cycles_per_vertex(processor.node), settings.fabric.phases_per_frame);
+            cores[node] = collector.get();
+            core = std::move(collector);
+        }
         processors[node] =
             &simulation.add<Processor>(fmt::format("node/P{}", node), std::move(core), processor);
         processors[node]->probe().attach(*this);

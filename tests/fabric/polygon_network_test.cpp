@@ -3,6 +3,7 @@
 // order, and when.
 #include "machine/fabric/polygon_cut.hpp"
 #include "tests/fabric/polygon_machine.hpp"
+#include "tests/node/script_program.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -187,12 +188,39 @@ TEST(PolygonNetwork, NamesTheHostAsOneMoreNode) {
     }
 }
 
-TEST(PolygonNetwork, ReportsWhoWaitsWhenAProgramExpectsMoreThanTheHostSends) {
+TEST(PolygonNetwork, SendsAFrameInItsFirstPhaseOnly) {
     PolygonMachineSettings settings;
     settings.tiling = {2, 1, 1, 1};
-    settings.fabric.phases_per_frame = 2;  // the cores take a frame a phase
+    settings.fabric.phases_per_frame = 3;
+    settings.frames = 2;
+    const Polygon point{{{1, 2, 3, 4}}};
+    PolygonMachine machine(settings, {{point}, {point, point}});
+    EXPECT_EQ(machine.run(), "no failure");
+    const std::vector<std::vector<Polygon>> expected{{point}, {point, point}};
+    EXPECT_EQ(machine.cores[0]->frames, expected);
+    EXPECT_EQ(machine.supervisor->phase().number, 6);
+}
+
+TEST(PolygonNetwork, ReportsWhoWaitsWhenAProgramExpectsMoreThanTheHostSends) {
+    PolygonMachineSettings settings;
+    settings.fabric.phases_per_frame = 2;
+    settings.make_core = [](NodeIndex) { return std::make_unique<PolygonCore>(0, 1); };
     PolygonMachine machine(settings, {{}});
-    EXPECT_THAT(machine.run(), HasSubstr("node/P0"));
+    EXPECT_THAT(machine.run(), HasSubstr("node/P0 waits for a message at port 0"));
+}
+
+TEST(PolygonNetwork, ReportsAProgramThatEndsAPhaseTheHostIsStillIn) {
+    PolygonMachineSettings settings;
+    settings.frames = 2;
+    settings.make_core = [](NodeIndex) {
+        return std::make_unique<ScriptCore>(
+            Script().write(node_register(NodeRegister::credit), 0177776).halt().program(), 1,
+            0160000);
+    };
+    PolygonMachine machine(settings, {{Polygon{{{1, 2, 3, 4}}}}});
+    EXPECT_THAT(machine.run(),
+                HasSubstr("host: a phase ends while frame 0 is being sent; this node runs no "
+                          "program, so another has given back more than it had"));
 }
 
 TEST(PolygonNetwork, RefusesProcessorsThatDoNotFit) {
@@ -208,9 +236,10 @@ TEST(PolygonNetwork, RefusesProcessorsThatDoNotFit) {
     processor.ports.input_queue = 5;
     processors.push_back(
         &simulation.add<Processor>("node/P1", std::make_unique<PolygonCore>(), processor));
-    EXPECT_THAT([&] { connect_polygon_network(simulation, distribution, processors, settings); },
-                testing::ThrowsMessage<WiringError>(
-                    "node/P1: takes polygons at one port that only receives, 4 of them waiting"));
+    EXPECT_THAT(
+        [&] { connect_polygon_network(simulation, distribution, processors, settings); },
+        testing::ThrowsMessage<WiringError>(
+            "node/P1: has 1 message ports with 5 places, not as set_polygon_ports() makes them"));
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST(Processor, TellsOfTapsAtTheirExactTimeAndWithTheirRegisters) {
 
 TEST(Processor, HasPortsThatGoOneWayOnly) {
     Processor::Settings settings = bare_settings();
-    settings.ports = {2, 2, 4, SendPolicy::one_at_a_time, 0, 0};
+    settings.ports = {2, 2, 4, SendPolicy::one_at_a_time, {}, 0, 0};
     Script s;
     s.load(0, port_register(PortRegister::txstat, 0)).load(1, node_register(NodeRegister::txroom));
     s.load(2, port_register(PortRegister::rxstat, 1)).load(3, node_register(NodeRegister::ports));
