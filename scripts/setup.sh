@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what Rasterloom needs to build and to pass its tests on Debian 12. Does nothing when all of it is there.
+# Installs what Rasterloom needs to build and to pass its tests on Debian 12, and what the measuring scripts need. Does nothing when all of it is there.
 set -euo pipefail
 
 packages=(
@@ -7,7 +7,7 @@ packages=(
     libboost-dev libboost-graph-dev libboost-filesystem-dev libfmt-dev libspdlog-dev libyaml-cpp-dev
     libcli11-dev libassimp-dev libglm-dev libpng-dev nlohmann-json3-dev
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
-    simh
+    simh python3-numpy python3-matplotlib
 )
 
 missing=()
