@@ -2,6 +2,7 @@
 #include "machine/host/polygon_scenes.hpp"
 
 #include "machine/host/polygon_random.hpp"
+#include "machine/host/scene_makers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,18 @@
 namespace rasterloom::host {
 namespace {
 
+constexpr int kSky = 190;
+
 constexpr std::array kScenes{
+    PolygonScene{"airport",
+                 "an approach to two shuttles on a runway (Parks 1982, figures 16 to 21)", true,
+                 kSky, airport_scene},
+    PolygonScene{"shuttle_profile",
+                 "a shuttle off the left side of its tail (Parks 1982, figures 22 and 23)", true, 0,
+                 shuttle_profile_scene},
+    PolygonScene{"cargo_bay",
+                 "from a shuttle's cabin into its cargo bay (Parks 1982, figures 24 and 25)", true,
+                 0, cargo_bay_scene},
     PolygonScene{"random_polygons", "convex polygons evenly over the screen: Parke's assumption",
                  false, 0, random_polygons},
 };

@@ -55,6 +55,7 @@ void Stage::add_mesh(const Mesh& mesh, const Placement& placement) {
     const double s = topology::sin_degrees(placement.heading);
     for (const auto& face : mesh.polygons) {
         auto& polygon = polygons_.emplace_back();
+        polygon.depth_offset = placement.depth_offset;
         for (const auto index : face.corners) {
             const auto& p = mesh.positions[index];
             polygon.corners.push_back(
@@ -76,11 +77,27 @@ void Stage::add_flat(std::span<const glm::dvec3> corners, double grey, int depth
     polygon.depth_offset = depth_offset;
 }
 
-void Stage::add_ground(std::span<const glm::dvec2> corners, double height, double grey) {
+void Stage::add_ground(std::initializer_list<glm::dvec2> corners, double grey, int depth_offset) {
     std::vector<glm::dvec3> raised;
     for (const auto& corner : corners)
-        raised.emplace_back(corner.x, corner.y, height);
-    add_flat(raised, grey);
+        raised.emplace_back(corner.x, corner.y, 0.0);
+    add_flat(raised, grey, depth_offset);
+}
+
+Camera camera_at(std::span<const Shot> path, std::int64_t frame, std::int64_t frames) {
+    const auto legs = static_cast<double>(path.size() - 1);
+    const double way =
+        frames > 1 ? legs * static_cast<double>(frame) / static_cast<double>(frames - 1) : 0.0;
+    const auto leg = std::min(static_cast<std::size_t>(std::clamp(way, 0.0, legs)),
+                              path.size() - (path.size() > 1 ? 2 : 1));
+    const auto& from = path[leg];
+    const auto& to = path[std::min(leg + 1, path.size() - 1)];
+    const double part = way - static_cast<double>(leg);
+    Camera camera;
+    camera.eye = from.eye + part * (to.eye - from.eye);
+    camera.target = from.target + part * (to.target - from.target);
+    camera.field_of_view = from.field_of_view + part * (to.field_of_view - from.field_of_view);
+    return camera;
 }
 
 Mesh scene_shuttle(const Mesh* model) {

@@ -6,6 +6,8 @@
 #include "machine/host/mesh.hpp"
 #include "machine/host/polygon_setup.hpp"
 
+#include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -17,7 +19,19 @@ namespace rasterloom::host {
 struct Placement {
     glm::dvec3 position{0, 0, 0};  // of the mesh's origin
     double heading = 0;            // degrees its -x axis is turned about +z, counter-clockwise
+    int depth_offset = 0;          // of all its polygons (polygon_setup.hpp)
 };
+
+// Where the camera stands and what it looks at, at one moment of a path.
+struct Shot {
+    glm::dvec3 eye{0, 0, 0};
+    glm::dvec3 target{0, 0, 0};
+    double field_of_view = 60;  // degrees
+};
+
+// The camera at frame `frame` of `frames` spread evenly over the path from the first shot to the
+// last, halfway from one shot to the next in between; one frame alone is the first shot.
+Camera camera_at(std::span<const Shot> path, std::int64_t frame, std::int64_t frames);
 
 class Stage {
   public:
@@ -26,8 +40,8 @@ class Stage {
     void add_mesh(const Mesh& mesh, const Placement& placement);
     // A face of one grey level, 0 to 255, corners counter-clockwise as its front is seen.
     void add_flat(std::span<const glm::dvec3> corners, double grey, int depth_offset = 0);
-    // On the ground: corners (x, y) counter-clockwise from above.
-    void add_ground(std::span<const glm::dvec2> corners, double height, double grey);
+    // On the ground z = 0: corners (x, y) counter-clockwise from above.
+    void add_ground(std::initializer_list<glm::dvec2> corners, double grey, int depth_offset = 0);
 
     const std::vector<StagePolygon>& polygons() const { return polygons_; }
 

@@ -140,7 +140,7 @@ void Shuttle::add_bay() {
             ring.emplace_back(x, kHalfWidth * point.x, kAxis + kHalfWidth * point.y);
         return ring;
     };
-    constexpr int kLengths = 4;
+    constexpr int kLengths = 5;
     for (int k = 0; k < kLengths; ++k) {
         const double from = kBayFront + (kBayBack - kBayFront) * k / kLengths;
         const double to = kBayFront + (kBayBack - kBayFront) * (k + 1) / kLengths;
@@ -172,11 +172,11 @@ void Shuttle::add_bay() {
 // A satellite: a drum on a cradle.
 void Shuttle::add_payload() {
     constexpr int kSides = 8;
-    const std::array<Ring, 3> drum{ring_about_x({1.0, 0, kAxis}, 1.5, kSides),
-                                   ring_about_x({5.5, 0, kAxis}, 1.5, kSides),
-                                   ring_about_x({6.6, 0, kAxis}, 0.7, kSides)};
+    const std::array<Ring, 3> drum{ring_about_x({1.0, 0, kAxis}, 1.1, kSides),
+                                   ring_about_x({4.8, 0, kAxis}, 1.1, kSides),
+                                   ring_about_x({5.7, 0, kAxis}, 0.6, kSides)};
     builder_.add_solid(drum, payload_);
-    builder_.add_box({2.2, -2.2, kAxis - 1.6}, {3.0, 2.2, kAxis - 0.3}, metal_);
+    builder_.add_box({1.8, -2.2, kAxis - 1.5}, {2.4, 2.2, kAxis - 0.2}, metal_);
 }
 
 // Each door is the upper skin turned outwards about its sill; radiators inside.
@@ -264,7 +264,7 @@ void Shuttle::add_wings() {
     struct Station {
         double y, leading, trailing, bottom, thickness;
     };
-    constexpr std::array<Station, 4> kStations{{{2.4, -7.5, 13.6, 2.7, 1.6},
+    constexpr std::array<Station, 4> kStations{{{2.6, -7.0, 13.6, 2.75, 1.6},
                                                 {4.6, 0.5, 13.6, 2.85, 1.35},
                                                 {8.2, 4.6, 13.0, 3.1, 0.9},
                                                 {11.9, 8.8, 12.4, 3.35, 0.35}}};
