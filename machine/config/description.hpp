@@ -87,6 +87,7 @@ struct FabricDescription {
     Duration frame_buffer_time_per_pixel = Duration::nanoseconds(300);
     Duration latency = Duration::microseconds(1);  // of every wire
     bool half_digested = false;
+    std::int64_t digest_fifo = 2;  // polygons that wait at a processor for the bus of digests
 };
 
 // The computer that sends the polygons.

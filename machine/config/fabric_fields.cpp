@@ -84,8 +84,13 @@ void add_fabric_fields(std::vector<Field>& fields) {
     fields.push_back(yes_no_field(
         "fabric.half_digested",
         "whether each processor sets up its share of the polygons and broadcasts them to all "
-        "(interlace only)",
+        "(interlace and hybrid)",
         [](auto& m) -> auto& { return m.fabric.half_digested; }));
+    fields.push_back(fifo_field(
+        "fabric.digest_fifo",
+        "polygons that a processor has set up and that wait for their turn on the bus, the one in "
+        "transfer included",
+        [](auto& m) -> auto& { return m.fabric.digest_fifo; }));
     add_host_fields(fields);
 }
 

@@ -76,6 +76,27 @@ FabricPartReport bus_report(const PolygonBus& bus, const Distribution::Broadcast
     return report;
 }
 
+FabricPartReport turn_bus_report(const TurnBus& bus, const Distribution::Broadcast& listeners,
+                                 const Machine& machine) {
+    const TurnBusStatistics& counted = bus.statistics();
+    FabricPartReport report;
+    report.name = bus.name();
+    report.part = FabricPart::turn_bus;
+    report.polygons = counted.messages;
+    report.words = counted.words;
+    report.busy = counted.busy;
+    report.blocked = counted.held + counted.out_of_turn;
+    // Longest in the way: without a place, or without its message when its turn came.
+    for (std::size_t k = 0; k < listeners.processors.size(); ++k) {
+        const Duration waited = counted.held_by[k] + counted.waited_for[k];
+        if (waited > report.waited_for_it) {
+            report.waited_for = machine.processors()[listeners.processors[k]]->name();
+            report.waited_for_it = waited;
+        }
+    }
+    return report;
+}
+
 FabricPartReport pixel_bus_report(const FrameBufferBus& bus, const Machine& machine) {
     const FrameBufferBusStatistics& counted = bus.statistics();
     FabricPartReport report;
@@ -113,7 +134,11 @@ std::vector<FabricPartReport> gather_fabric(const Blueprint& blueprint, const Ma
             reports.push_back(
                 splitter_report(*fabric->splitters[splitters++], distribution, *cut, whole));
         } else if (const auto* bus = std::get_if<Distribution::Broadcast>(&element.what)) {
-            reports.push_back(bus_report(*fabric->buses[buses++], *bus, machine, whole));
+            reports.push_back(bus_report(*fabric->buses[buses], *bus, machine, whole));
+            if (!fabric->turn_buses.empty()) {
+                reports.push_back(turn_bus_report(*fabric->turn_buses[buses], *bus, machine));
+            }
+            ++buses;
         }
     }
     if (fabric->frame_buffer_bus != nullptr) {

@@ -20,6 +20,8 @@ PolygonFabricSettings fabric_settings(const config::MachineDescription& machine,
         settings.frame_buffer_bus_time_per_pixel = fabric.frame_buffer_time_per_pixel;
     }
     settings.latency = fabric.latency;
+    settings.half_digested = fabric.half_digested;
+    settings.digest_output_queue = static_cast<int>(fabric.digest_fifo);
     settings.phases_per_frame = static_cast<int>(phases_per_frame);
     return settings;
 }

@@ -20,6 +20,10 @@ using topology::Topology;
 
 namespace {
 
+// Bytes of a half-digested polygon, the longest message on machines that deal out the screen: 4
+// words and, for each of at most kMaxCutVertices + 2 vertices on its two sides, 10 words.
+constexpr int kMaxDigest = 8 + (kMaxCutVertices + 2) * 20;
+
 void check_ports(const MachineDescription& description, const Topology& topology) {
     for (std::size_t node = 0; node < topology.nodes.size(); ++node) {
         if (topology.ports[node].size() > static_cast<std::size_t>(kMaxPorts)) {
@@ -105,6 +109,7 @@ void Machine::build_fabric(const Blueprint& blueprint, std::vector<std::vector<P
     add_processors(blueprint, [&](std::size_t node) {
         Processor::Settings settings = processor_settings(blueprint);
         settings.supervised = true;
+        settings.max_message = kMaxDigest;
         set_polygon_ports(settings, fabric, blueprint.distribution->grids[node]);
         return settings;
     });

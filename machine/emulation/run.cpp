@@ -114,10 +114,19 @@ std::string activities(const Machine& machine) {
             text += "\n  " + *activity;
         }
     }
-    if (machine.supervisor() != nullptr) {
-        if (const auto waits = machine.supervisor()->waits_for()) {
-            text += "\n  supervisor waits for " + *waits;
+    const auto add = [&text](const Component* component) {
+        if (component == nullptr) {
+            return;
         }
+        if (const auto waits = component->waits_for()) {
+            text += fmt::format("\n  {} waits for {}", component->name(), *waits);
+        }
+    };
+    add(machine.supervisor());
+    if (const PolygonNetwork* fabric = machine.fabric()) {
+        add(fabric->source);
+        std::for_each(fabric->splitters.begin(), fabric->splitters.end(), add);
+        std::for_each(fabric->buses.begin(), fabric->buses.end(), add);
     }
     return text;
 }

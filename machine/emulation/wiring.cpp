@@ -36,10 +36,9 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
     };
     if (topology.tiling) {
         add("a machine that is a graph: here fabric.* says what lies between",
-            {"links.time_per_byte", "links.time_per_message", "links.latency", "links.input_queue",
-             "links.send", "scene.routing"});
+            {"links.", "scene.routing"});
         if (!machine.fabric.half_digested) {
-            add("fabric.half_digested", {"links.output_queue"});
+            add("fabric.half_digested: true", {"fabric.digest_fifo"});
         }
     } else {
         add("a machine that deals out the screen: here links.* says what lies between",

@@ -29,7 +29,7 @@ TEST(FabricKeys, AreReadAndExported) {
         {"fabric={ideal: true, splitter: {time_per_vertex: 1us, input_fifo: 2, output_fifo: 3}, "
          "polygon_bus: {time_per_word: 100ns, input_fifo: 9}, processor_fifo: 5, frame_buffer: "
          "bus, "
-         "frame_buffer_bus: {time_per_pixel: 150ns}, latency: 2us, half_digested: true}",
+         "frame_buffer_bus: {time_per_pixel: 150ns}, latency: 2us, half_digested: true, digest_fifo: 6}",
          "host={time_per_polygon: 0ns, time_per_vertex: 1us, order: shuffled, seed: 7}",
          "nodes.symbols={full: 0, limit: -3}",
          "scene={object: random_polygons, polygons: 12, seed: 3, background: 9}"});
@@ -39,6 +39,7 @@ TEST(FabricKeys, AreReadAndExported) {
     EXPECT_EQ(machine.fabric.frame_buffer, FrameBufferKind::bus);
     EXPECT_EQ(machine.fabric.frame_buffer_time_per_pixel, Duration::nanoseconds(150));
     EXPECT_TRUE(machine.fabric.half_digested);
+    EXPECT_EQ(machine.fabric.digest_fifo, 6);
     EXPECT_EQ(machine.host.order, host::PolygonOrder::shuffled);
     EXPECT_EQ(machine.host.seed, 7);
     EXPECT_EQ(machine.nodes.symbols.at("limit"), -3);
@@ -77,6 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"fabric.frame_buffer_bus.time_per_pixel=x", "frame_buffer_bus.time_per_pixel"},
         Bad{"fabric.latency=1ps", "fabric.latency: too short '1ps'; expected at least 2ps"},
         Bad{"fabric.half_digested=2", "no such choice '2'"},
+        Bad{"fabric.digest_fifo=0", "out of range '0'"},
         Bad{"host.time_per_polygon=10", "a number without a unit"},
         Bad{"host.time_per_vertex=fast", "host.time_per_vertex"},
         Bad{"host.order=sortd", "did you mean 'sorted'?"}, Bad{"host.seed=-1", "out of range '-1'"},

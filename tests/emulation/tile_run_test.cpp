@@ -159,6 +159,25 @@ TEST(TileRun, WritesPixelsOverABusToTheSamePicture) {
     EXPECT_GT(pixels.blocked, Duration());
 }
 
+TEST(TileRun, SharesTheSetUpOfPolygonsToTheSamePicture) {
+    for (const char* machine : {"interlace4", "interlace16", "hybrid16"}) {
+        const RunOutcome whole = run(small(machine));
+        for (const char* polygons : {"60", "61", "1"}) {
+            const std::string count = std::string("scene.polygons=") + polygons;
+            const RunOutcome shared =
+                run(small(machine, {"fabric.half_digested=true", count, "run.frames=2"}));
+            ASSERT_EQ(shared.failure, "");
+            EXPECT_EQ(shared.pictures, run(small(machine, {count, "run.frames=2"})).pictures)
+                << machine;
+        }
+        const RunOutcome shared = run(small(machine, {"fabric.half_digested=true"}));
+        EXPECT_LT(shared.report.cycles(), whole.report.cycles()) << machine;
+        const auto& fabric = shared.report.fabric;
+        EXPECT_EQ(fabric.back().part, observe::FabricPart::turn_bus);
+        EXPECT_GT(fabric.back().words, 0);
+    }
+}
+
 TEST(TileRun, DrawsObjectsAndMeshesToo) {
     const RunOutcome outcome =
         run(small("interlace4", {"scene={object: cube, rotate: {start: 30, degrees: 20}}",
