@@ -13,6 +13,8 @@ namespace {
 constexpr int kSky = 190;
 
 constexpr std::array kScenes{
+    PolygonScene{"runway", "a runway and a shuttle, reconstructed (Parks 1982, figure 15)", false,
+                 kSky, runway_scene},
     PolygonScene{"airport",
                  "an approach to two shuttles on a runway (Parks 1982, figures 16 to 21)", true,
                  kSky, airport_scene},
