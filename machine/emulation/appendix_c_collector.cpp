@@ -13,9 +13,18 @@ using observe::Section;
 
 namespace {
 
-Section section_from(TilerTap tap) {
-    switch (tap) {
+// What the program did between two taps.
+Section section_between(std::optional<TilerTap> from, std::optional<TilerTap> to) {
+    if (!from) {
+        return Section::other;
+    }
+    switch (*from) {
         case TilerTap::idle:
+            return to == TilerTap::polygon  ? Section::polygon
+                   : to == TilerTap::digest ? Section::digest
+                                            : Section::other;
+        case TilerTap::digest:
+            return Section::digest;
         case TilerTap::polygon:
             return Section::polygon;
         case TilerTap::vertex:
@@ -51,7 +60,7 @@ void AppendixCMeter::tapped(const Tap& tap) {
     if (last_ == TilerTap::pixels) {
         end_run(tap.core, tap.cycles - booked_until_);
     }
-    book(tap.cycles, last_ && !idled ? section_from(*last_) : Section::other);
+    book(tap.cycles, section_between(last_, kind));
     last_ = kind;
     switch (kind) {
         case TilerTap::idle:
@@ -59,6 +68,10 @@ void AppendixCMeter::tapped(const Tap& tap) {
             if (idled) {
                 end_frame();
             }
+            break;
+        case TilerTap::digest:
+            end_polygon();
+            ++frame_.digested;
             break;
         case TilerTap::polygon:
             end_polygon();
@@ -146,7 +159,7 @@ void AppendixCMeter::end_frame() {
 }
 
 std::vector<observe::AppendixC> AppendixCMeter::finish(std::int64_t cycles) {
-    book(cycles, last_ && *last_ != TilerTap::idle ? section_from(*last_) : Section::other);
+    book(cycles, section_between(last_, std::nullopt));
     end_polygon();
     end_frame();
     return std::exchange(frames_, {});

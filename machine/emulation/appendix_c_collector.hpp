@@ -2,9 +2,10 @@
 // Takes the statistics of Parks' appendix C from a run: at every tap of the tiler it books the
 // cycles since the last one to the section that was in progress, and looks at what comes next.
 //
-// From tap_idle on cycles belong to the polygon that comes, or to nobody when the next tap is
-// tap_idle again: then the frame has ended. A pixel that is drawn changes its depth word, so that
-// comparing the row before and after tells drawn pixels from hidden ones.
+// From tap_idle on cycles belong to the polygon that comes, to be drawn or to be digested, or to
+// nobody when the next tap is tap_idle again: then the frame has ended. A pixel that is drawn
+// changes its depth word, so that comparing the row before and after tells drawn pixels from hidden
+// ones.
 #pragma once
 
 #include "isa/image.hpp"

@@ -18,8 +18,9 @@ namespace {
 
 constexpr std::string_view kPrefix = "tap_";
 // A program may have several of one kind: tap_vertex, tap_vertex_2.
-constexpr std::array<std::pair<std::string_view, TilerTap>, 6> kNames{
+constexpr std::array<std::pair<std::string_view, TilerTap>, 7> kNames{
     std::pair{"idle", TilerTap::idle},        // the longer name first
+    std::pair{"digest", TilerTap::digest},    //
     std::pair{"polygon", TilerTap::polygon},  //
     std::pair{"vertex", TilerTap::vertex},    //
     std::pair{"segment", TilerTap::segment},  //
@@ -49,11 +50,11 @@ TilerTaps::TilerTaps(const isa::Image& image) {
         }
         const auto kind = kind_of(name);
         if (!kind) {
-            throw std::invalid_argument(
-                fmt::format("{}: the label {} names no section of a tiler; expected tap_idle, "
-                            "tap_polygon, tap_vertex, tap_segment, tap_pixels or tap_pixels_done, "
-                            "with _ and something behind if there are several",
-                            image.name, name));
+            throw std::invalid_argument(fmt::format(
+                "{}: the label {} names no section of a tiler; expected tap_idle, "
+                "tap_digest, tap_polygon, tap_vertex, tap_segment, tap_pixels or tap_pixels_done, "
+                "with _ and something behind if there are several",
+                image.name, name));
         }
         found.insert(*kind);
         if (kinds_.emplace(value, *kind).first->second != *kind) {
@@ -64,7 +65,7 @@ TilerTaps::TilerTaps(const isa::Image& image) {
         }
     }
     for (const auto& [name, kind] : kNames) {
-        if (!found.contains(kind)) {
+        if (!found.contains(kind) && kind != TilerTap::digest) {
             throw std::invalid_argument(
                 fmt::format("{}: appendix C needs the label {}{}, which the program has not",
                             image.name, kPrefix, name));

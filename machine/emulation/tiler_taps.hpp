@@ -15,6 +15,7 @@ namespace rasterloom::emulation {
 
 enum class TilerTap : std::uint8_t {
     idle,         // waits for the next message
+    digest,       // works a polygon out for others
     polygon,      // sets a polygon up
     vertex,       // a side comes to its next vertex and sets the edge below it up
     segment,      // begins a line of the polygon
@@ -24,8 +25,9 @@ enum class TilerTap : std::uint8_t {
 
 class TilerTaps {
   public:
-    // Throws std::invalid_argument when the program lacks one of the labels or `vertex_count`, has
-    // a label tap_... that is none of them, or two of different kinds at one address.
+    // Throws std::invalid_argument when the program lacks one of the labels (but tap_digest) or
+    // `vertex_count`, has a label tap_... that is none of them, or two of different kinds at one
+    // address.
     explicit TilerTaps(const isa::Image& image);
 
     std::vector<std::uint32_t> addresses() const;

@@ -17,6 +17,7 @@ void AppendixC::add(const AppendixC& other) {
     lengths.add(other.lengths);
     depth.add(other.depth);
     areas.add(other.areas);
+    digested += other.digested;
     edges += other.edges;
     drawn += other.drawn;
     for (std::size_t i = 0; i < cycles.size(); ++i) {

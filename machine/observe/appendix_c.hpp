@@ -19,10 +19,11 @@
 
 namespace rasterloom::observe {
 
-// Parts of the program, from tap to tap. `other` is what belongs to no polygon: the program's
-// beginning, the end of a frame.
-enum class Section : std::uint8_t { polygon, vertex, segment, pixel, other };
-inline constexpr int kSections = 5;
+// Parts of the program, from tap to tap. `digest` is the share of a processor that works polygons
+// out for others, too (the thesis' "further research"); `other` is what belongs to no polygon: the
+// program's beginning, the end of a frame.
+enum class Section : std::uint8_t { polygon, vertex, segment, pixel, digest, other };
+inline constexpr int kSections = 6;
 
 struct AppendixC {
     Distribution vertices;  // v: vertices a polygon
@@ -31,6 +32,7 @@ struct AppendixC {
     Distribution depth;     // D: polygons that cover an assigned pixel
     Distribution areas;     // assigned pixels a polygon
 
+    std::int64_t digested = 0;                     // polygons worked out for all, drawn here or not
     std::int64_t edges = 0;                        // set up by the program, on either side
     std::int64_t drawn = 0;                        // pixels that passed the depth test
     std::array<std::int64_t, kSections> cycles{};  // executed; stalls are none
@@ -43,7 +45,7 @@ struct AppendixC {
     // As the thesis charges them.
     std::int64_t charged_segments() const { return segments() + heights.count(0); }
     std::int64_t in(Section section) const { return cycles[static_cast<std::size_t>(section)]; }
-    // Of the four sections that the formula speaks of.
+    // Of the sections that the formula speaks of, and of digesting.
     std::int64_t scene_cycles() const { return all_cycles() - in(Section::other); }
     std::int64_t all_cycles() const {
         return std::accumulate(cycles.begin(), cycles.end(), std::int64_t{0});

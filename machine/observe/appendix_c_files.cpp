@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, kSections> kSectionNames{"polygon", "vertex", "segment",
-                                                                "pixel", "other"};
+                                                                "pixel",   "digest", "other"};
 
 Json distribution_json(const Distribution& data) {
     Json counts = Json::array();
@@ -39,6 +39,7 @@ Json statistics_json(const AppendixC& c, const ItemCosts& own) {
     json["polygons"] = c.polygons();
     json["vertices"] = c.vertex_count();
     json["edges"] = c.edges;
+    json["digested"] = c.digested;
     json["segments"] = c.segments();
     json["charged_segments"] = c.charged_segments();
     json["pixels"] = c.pixels();
@@ -70,9 +71,9 @@ void add_row(std::string& text, const AppendixCNode& node, std::size_t frame,
              const ItemCosts& own) {
     const AppendixC& c = node.frames[frame];
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", frame, node.node, node.name, c.polygons(),
-                   c.vertex_count(), c.edges, c.segments(), c.charged_segments(), c.pixels(),
-                   c.drawn);
+    fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}", frame, node.node, node.name,
+                   c.polygons(), c.vertex_count(), c.edges, c.digested, c.segments(),
+                   c.charged_segments(), c.pixels(), c.drawn);
     for (const std::int64_t cycles : c.cycles) {
         fmt::format_to(out, ",{}", cycles);
     }
@@ -109,7 +110,7 @@ std::string appendix_c_json(const AppendixCReport& report) {
 
 std::string appendix_c_csv(const AppendixCReport& report) {
     std::string text =
-        "frame,node,name,polygons,vertices,edges,segments,charged_segments,pixels,drawn";
+        "frame,node,name,polygons,vertices,edges,digested,segments,charged_segments,pixels,drawn";
     for (const std::string_view section : kSectionNames) {
         text += fmt::format(",{}_u", section);
     }

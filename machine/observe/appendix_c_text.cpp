@@ -39,6 +39,11 @@ void add_costs(std::string& text, const AppendixC& c) {
     row("vertex", own.vertex, kThesisCosts.vertex);
     row("segment", own.segment, kThesisCosts.segment);
     row("pixel", own.pixel, kThesisCosts.pixel);
+    if (c.digested > 0) {
+        fmt::format_to(out, "{:<12}{:>10.1f}   ({} polygons)\n", "digest",
+                       static_cast<double>(c.in(Section::digest)) / static_cast<double>(c.digested),
+                       c.digested);
+    }
     if (const auto costs = c.pixel_fit.solve()) {
         fmt::format_to(out, "A pixel drawn {:.2f}, hidden {:.2f}, a run of pixels {:.2f} more\n",
                        costs->drawn, costs->hidden, costs->run);
@@ -85,6 +90,9 @@ void add_times(std::string& text, const AppendixC& c) {
     row("segment", Section::segment,
         kThesisCosts.segment * static_cast<double>(c.charged_segments()));
     row("pixel", Section::pixel, kThesisCosts.pixel * static_cast<double>(c.pixels()));
+    if (c.digested > 0) {
+        row("digest", Section::digest, 0);
+    }
     fmt::format_to(out, "{:<16}{:>14}{:>12.3f}{:>9}{:>16.1f}{:>9}  error {:+.3f} %\n", "scene",
                    c.scene_cycles(), static_cast<double>(c.scene_cycles()) / polygons, "", formula,
                    "", 100 * formula_error(c));

@@ -21,6 +21,7 @@
 ;
 ; For statistics, labels tell where a section of the work begins; it ends where the next one begins.
 ;   tap_idle*         the next instruction waits for a message
+;   tap_digest*       a polygon is worked out for all; only where there is half-digested broadcast
 ;   tap_polygon*      a polygon is set up; `vertex_count` has its number of vertices
 ;   tap_vertex*       a side comes to its next vertex, and to the edge below it
 ;   tap_segment*      a line of the polygon is begun; `row` has its row

@@ -21,7 +21,8 @@ using testing::HasSubstr;
 using testing::Pair;
 
 constexpr const char* kProgram =
-    "tap_idle: nop\ntap_polygon: nop\ntap_vertex: nop\ntap_vertex_2: nop\ntap_segment: nop\n"
+    "tap_idle: nop\ntap_idle_2: nop\ntap_digest: nop\ntap_polygon: nop\ntap_vertex: "
+    "nop\ntap_vertex_2: nop\ntap_segment: nop\n"
     "tap_pixels: nop\ntap_pixels_done: nop\nvertex_count: .word 0\n";
 
 isa::Image image_of(const std::string& source) {
@@ -124,6 +125,19 @@ TEST(AppendixCMeter, TakesALabelInThePixelLoopForOneRun) {
     EXPECT_EQ(c.in(Section::pixel), 30);
 }
 
+TEST(AppendixCMeter, BooksPolygonsThatAreDigestedForOthersByThemselves) {
+    HandDriven node;
+    node.at("tap_idle", 10).at("tap_digest", 15).at("tap_idle_2", 115).at("tap_digest", 120);
+    node.at("tap_idle_2", 220).polygon(3, 230).at("tap_idle", 240).at("tap_idle", 250);
+    const std::vector<AppendixC> frames = node.finish(260);
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_EQ(frames[0].digested, 2);
+    EXPECT_EQ(frames[0].polygons(), 1);
+    EXPECT_EQ(frames[0].in(Section::digest), 5 + 100 + 5 + 100);
+    EXPECT_EQ(frames[0].in(Section::polygon), 10 + 10);
+    EXPECT_EQ(frames[0].in(Section::other), 10 + 10);
+}
+
 TEST(AppendixCMeter, EndsAFrameWhenTheProgramWaitsAgainWithoutAPolygon) {
     HandDriven node;
     node.at("tap_idle", 10).polygon(3, 15).at("tap_segment", 20).pixels(1, 0, 8, 8, 30, 40);
@@ -152,7 +166,7 @@ TEST(TilerTaps, RefuseAProgramWithoutThem) {
     EXPECT_THAT(refusal("start: nop\n"), HasSubstr("needs the label tap_idle"));
     EXPECT_THAT(refusal(std::string(kProgram) + "tap_pixel: nop\n"),
                 HasSubstr("the label tap_pixel names no section"));
-    EXPECT_THAT(refusal(std::string(kProgram) + "tap_idle_2 = tap_vertex\n"),
+    EXPECT_THAT(refusal(std::string(kProgram) + "tap_idle_3 = tap_vertex\n"),
                 HasSubstr("stands where another section begins"));
     std::string without = kProgram;
     without.resize(without.find("vertex_count"));

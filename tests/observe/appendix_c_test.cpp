@@ -121,7 +121,7 @@ AppendixC some_statistics() {
     c.areas = distribution({{0, 1}, {40, 1}, {60, 1}});
     c.edges = 9;
     c.drawn = 70;
-    c.cycles = {300, 3000, 1500, 2000, 77};
+    c.cycles = {300, 3000, 1500, 2000, 0, 77};
     for (int drawn = 0; drawn < 10; ++drawn) {
         c.pixel_fit.add(drawn, 10 - drawn, 9 + 23 * drawn + 17 * (10 - drawn));
         c.pixel_fit.add(drawn, drawn, 9 + 40 * drawn);
@@ -219,7 +219,8 @@ TEST(AppendixCFiles, HoldEverything) {
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_EQ(std::count(rows[0].begin(), rows[0].end(), ','),
               std::count(rows[1].begin(), rows[1].end(), ','));
-    EXPECT_THAT(rows[2], HasSubstr("1,0,P0,3,10,9,10,11,100,70,300,3000,1500,2000,77,6800,7448.0"));
+    EXPECT_THAT(rows[2],
+                HasSubstr("1,0,P0,3,10,9,0,10,11,100,70,300,3000,1500,2000,0,77,6800,7448.0"));
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ take_raw:
         mov     vertex_count, r1
         beq     forward_end
 
+tap_digest:
         .include "scan.s"
 
         mov     vertex_count, digest_vertices
@@ -56,5 +57,6 @@ take_raw:
         sub     #digest, sp
         mov     #digest, @#digest_port+txaddr
         mov     sp, @#digest_port+txlen
+tap_idle_digested:
         mov     #wait_message, @#io_waitfor
         jmp     choose_message
