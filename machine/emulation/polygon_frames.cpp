@@ -33,6 +33,18 @@ std::optional<host::Mesh> read_model(const MachineDescription& machine) {
     }
 }
 
+void add(host::PolygonSetupStatistics& sum, const host::PolygonSetupStatistics& part) {
+    sum.given += part.given;
+    sum.additional += part.additional;
+    sum.back_faces += part.back_faces;
+    sum.outside += part.outside;
+    sum.sent += part.sent;
+    sum.clipped += part.clipped;
+    sum.repaired += part.repaired;
+    sum.lines += part.lines;
+    sum.points += part.points;
+}
+
 void make_scene_frames(const MachineDescription& machine, PolygonFrames& result) {
     const config::SceneDescription& wanted = *machine.scene;
     const host::PolygonScene& scene = *host::find_polygon_scene(wanted.object);
@@ -48,22 +60,17 @@ void make_scene_frames(const MachineDescription& machine, PolygonFrames& result)
     options.model = model ? &*model : nullptr;
     options.seed = static_cast<std::uint64_t>(wanted.seed);
     options.count = wanted.polygons;
+    host::PolygonSetupStatistics all;
     for (options.frame = 0; options.frame < options.frames; ++options.frame) {
+        host::PolygonSetupStatistics statistics;
+        options.setup = &statistics;
         result.frames.push_back(scene.make(options));
+        add(all, statistics);
+    }
+    if (all.given > 0) {
+        result.setup = all;
     }
     result.background = static_cast<int>(wanted.background.value_or(scene.background));
-}
-
-void add(host::PolygonSetupStatistics& sum, const host::PolygonSetupStatistics& part) {
-    sum.given += part.given;
-    sum.additional += part.additional;
-    sum.back_faces += part.back_faces;
-    sum.outside += part.outside;
-    sum.sent += part.sent;
-    sum.clipped += part.clipped;
-    sum.repaired += part.repaired;
-    sum.lines += part.lines;
-    sum.points += part.points;
 }
 
 void make_object_frames(const MachineDescription& machine, PolygonFrames& result) {

@@ -5,6 +5,7 @@
 
 #include "machine/fabric/polygon.hpp"
 #include "machine/host/mesh.hpp"
+#include "machine/host/polygon_setup.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,8 @@ struct PolygonSceneOptions {
         nullptr;               // in place of the scene's own shuttle, oriented (+z up, front to -x)
     std::uint64_t seed = 1;    // of scenes that are random
     std::int64_t count = 500;  // polygons, likewise
+    PolygonSetupStatistics* setup =
+        nullptr;  // filled by scenes that are set up from polygons in space; may be null
 };
 
 struct PolygonScene {

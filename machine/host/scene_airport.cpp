@@ -57,7 +57,7 @@ std::vector<Polygon> airport_scene(const PolygonSceneOptions& options) {
     stage.add_mesh(shuttle, {{262, 20, 0}, 32, kStanding});
     stage.add_mesh(shuttle, {{312, -22, 0}, -38, kStanding});
     return screen_polygons(stage.polygons(), camera_at(kApproach, options.frame, options.frames),
-                           options.width, options.height);
+                           options.width, options.height, options.setup);
 }
 
 }  // namespace rasterloom::host

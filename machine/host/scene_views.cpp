@@ -25,7 +25,7 @@ std::vector<Polygon> view(const PolygonSceneOptions& options, std::span<const Sh
     stage.add_mesh(scene_shuttle(options.model), {});
     Camera camera = camera_at(path, options.frame, options.frames);
     camera.near = 0.1;
-    return screen_polygons(stage.polygons(), camera, options.width, options.height);
+    return screen_polygons(stage.polygons(), camera, options.width, options.height, options.setup);
 }
 
 }  // namespace

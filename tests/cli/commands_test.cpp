@@ -136,6 +136,9 @@ TEST_F(Commands, AMeshStandsInTheSceneOrIsTheScene) {
     };
     EXPECT_THAT(effective("teapot"), HasSubstr("  object: " + cube + "\n"));
     EXPECT_THAT(effective("random_polygons"), HasSubstr("  object: " + cube + "\n"));
+    const std::string airport = effective("airport");
+    EXPECT_THAT(airport, HasSubstr("  object: airport\n"));
+    EXPECT_THAT(airport, HasSubstr("  model: " + cube + "\n"));
 }
 
 TEST_F(Commands, TheConfigurationInEffectRunsToTheSameEnd) {

@@ -71,6 +71,7 @@ TEST(FuzzedConfiguration, IsLoadedOrRefusedWithAPosition) {
         read_text(RASTERLOOM_SOURCE_DIR "/configs/geodesic482.yaml"),
         read_text(RASTERLOOM_SOURCE_DIR "/configs/bare-pdp11.yaml"),
         read_text(RASTERLOOM_SOURCE_DIR "/configs/edge-list.yaml"),
+        read_text(RASTERLOOM_SOURCE_DIR "/configs/hybrid64.yaml"),
         kSmallMachine +
             "scene: { object: cube, rotate: { axis: [0, 1, 0], degrees: 6 }, light: [1, 2, 3] }\n"};
     int refused = 0;

@@ -106,6 +106,47 @@ INSTANTIATE_TEST_SUITE_P(Machines, EveryMachine,
                                          "interlace16", "hybrid16", "hybrid64"),
                          [](const auto& info) { return std::string(info.param); });
 
+class ShippedTiling : public testing::TestWithParam<const char*> {};
+
+// As they stand, with figure 15's runway.
+TEST_P(ShippedTiling, DrawsItsScene) {
+    const std::string name = GetParam();
+    const RunOutcome outcome = run(shipped(name + ".yaml"));
+    ASSERT_EQ(outcome.failure, "");
+    const auto same = host::compare(outcome.pictures.at(0), outcome.references.at(0));
+    if (name.starts_with("splitter") || name.starts_with("hybrid")) {
+        EXPECT_GE(same.all.share_within(2), 0.999);
+    } else {
+        EXPECT_EQ(same.all.differing(), 0U);
+    }
+    EXPECT_EQ(outcome.report.fabric.at(0).polygons, 248);
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, ShippedTiling,
+                         testing::Values("uniprocessor", "splitter4", "splitter16", "splitter64",
+                                         "splitter256", "interlace4", "interlace16", "interlace64",
+                                         "interlace256", "hybrid16", "hybrid64"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(TileRun, DrawsEveryScene) {
+    for (const char* scene : {"airport", "shuttle-profile", "cargo-bay", "random"}) {
+        const RunOutcome outcome = run(shipped(
+            "interlace4.yaml", {std::string("scene=scenes/") + scene + ".yaml", "run.frames=2"}));
+        ASSERT_EQ(outcome.failure, "") << scene;
+        EXPECT_EQ(differing(outcome, 0), 0U) << scene;
+        EXPECT_EQ(differing(outcome, 1), 0U) << scene;
+        EXPECT_FALSE(outcome.pictures[0] == outcome.pictures[1]) << scene;
+    }
+}
+
+TEST(TileRun, PutsAnotherModelIntoAScene) {
+    const std::string box = "scene.model=" RASTERLOOM_SOURCE_DIR "/tests/cli/programs/box.obj";
+    const RunOutcome outcome = run(shipped("interlace4.yaml", {"scene=scenes/airport.yaml", box}));
+    ASSERT_EQ(outcome.failure, "");
+    EXPECT_EQ(differing(outcome), 0U);
+    EXPECT_LT(outcome.report.fabric.at(0).polygons, 100);
+}
+
 TEST(TileRun, DrawsOneFrameAfterTheOther) {
     const RunOutcome outcome = run(small("interlace4", {"run.frames=3"}));
     ASSERT_EQ(outcome.failure, "");
