@@ -26,16 +26,22 @@ void AppendixC::add(const AppendixC& other) {
     pixel_fit.add(other.pixel_fit);
 }
 
-double formula_cycles(const AppendixC& statistics, const ItemCosts& costs) {
+double formula_cycles(const AppendixC& statistics) {
+    return predicted_cycles(statistics, kThesisCosts) +
+           kThesisCosts.segment *
+               static_cast<double>(statistics.charged_segments() - statistics.segments());
+}
+
+double predicted_cycles(const AppendixC& statistics, const ItemCosts& costs) {
     return costs.polygon * static_cast<double>(statistics.polygons()) +
            costs.vertex * static_cast<double>(statistics.vertex_count()) +
-           costs.segment * static_cast<double>(statistics.charged_segments()) +
+           costs.segment * static_cast<double>(statistics.segments()) +
            costs.pixel * static_cast<double>(statistics.pixels());
 }
 
-double formula_error(const AppendixC& statistics, const ItemCosts& costs) {
+double error_of(double cycles, const AppendixC& statistics) {
     const auto emulated = static_cast<double>(statistics.scene_cycles());
-    return emulated > 0 ? formula_cycles(statistics, costs) / emulated - 1 : 0;
+    return emulated > 0 ? cycles / emulated - 1 : 0;
 }
 
 ItemCosts own_costs(const AppendixC& statistics) {

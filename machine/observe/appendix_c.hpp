@@ -63,10 +63,13 @@ struct ItemCosts {
 };
 inline constexpr ItemCosts kThesisCosts{139, 319.3, 158, 21};
 
-double formula_cycles(const AppendixC& statistics, const ItemCosts& costs = kThesisCosts);
-// Of the formula against the emulated cycles: 0.02 is 2 % too many. 0 when nothing was executed.
-double formula_error(const AppendixC& statistics, const ItemCosts& costs = kThesisCosts);
-// The program's own: cycles of each section over what the formula multiplies; 0 for none.
+// The thesis' formula with its own costs, as it charges them.
+double formula_cycles(const AppendixC& statistics);
+// Polygons, vertices, segments and pixels times their costs, no segment charged that is none.
+double predicted_cycles(const AppendixC& statistics, const ItemCosts& costs);
+// Against the emulated cycles: 0.02 is 2 % too many. 0 when nothing was executed.
+double error_of(double cycles, const AppendixC& statistics);
+// The program's own: each section's cycles over its items; 0 for none.
 ItemCosts own_costs(const AppendixC& statistics);
 
 struct AppendixCNode {

@@ -51,9 +51,9 @@ Json statistics_json(const AppendixC& c, const ItemCosts& own) {
     json["cycles_u"] = std::move(cycles);
     json["scene_u"] = c.scene_cycles();
     json["formula_u"] = formula_cycles(c);
-    json["formula_error"] = formula_error(c);
-    json["own_formula_u"] = formula_cycles(c, own);
-    json["own_formula_error"] = formula_error(c, own);
+    json["formula_error"] = error_of(formula_cycles(c), c);
+    json["own_formula_u"] = predicted_cycles(c, own);
+    json["own_formula_error"] = error_of(predicted_cycles(c, own), c);
     json["own_costs_u"] = costs_json(own_costs(c));
     if (const auto costs = c.pixel_fit.solve()) {
         json["pixel_costs_u"] = {
@@ -78,9 +78,9 @@ void add_row(std::string& text, const AppendixCNode& node, std::size_t frame,
         fmt::format_to(out, ",{}", cycles);
     }
     fmt::format_to(out, ",{},{:.1f},{:.6f},{:.1f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n",
-                   c.scene_cycles(), formula_cycles(c), formula_error(c), formula_cycles(c, own),
-                   formula_error(c, own), c.heights.mean(), c.lengths.mean(), c.depth.mean(),
-                   c.areas.mean());
+                   c.scene_cycles(), formula_cycles(c), error_of(formula_cycles(c), c),
+                   predicted_cycles(c, own), error_of(predicted_cycles(c, own), c),
+                   c.heights.mean(), c.lengths.mean(), c.depth.mean(), c.areas.mean());
 }
 
 }  // namespace

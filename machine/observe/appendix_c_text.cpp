@@ -22,9 +22,9 @@ void add_row(std::string& text, const std::string& name, const AppendixC& c, con
         "{:<12}{:>9}{:>9}{:>9}{:>10}{:>12}{:>14.1f}{:>+8.2f}%{:>+8.2f}%{:>8.1f}%{:>8.1f}%{:>8.1f}%{"
         ":>8.1f}%\n",
         name, c.polygons(), c.vertex_count(), c.segments(), c.pixels(), c.scene_cycles(),
-        formula_cycles(c), 100 * formula_error(c), 100 * formula_error(c, own),
-        share(Section::polygon), share(Section::vertex), share(Section::segment),
-        share(Section::pixel));
+        formula_cycles(c), 100 * error_of(formula_cycles(c), c),
+        100 * error_of(predicted_cycles(c, own), c), share(Section::polygon),
+        share(Section::vertex), share(Section::segment), share(Section::pixel));
 }
 
 void add_costs(std::string& text, const AppendixC& c) {
@@ -95,7 +95,7 @@ void add_times(std::string& text, const AppendixC& c) {
     }
     fmt::format_to(out, "{:<16}{:>14}{:>12.3f}{:>9}{:>16.1f}{:>9}  error {:+.3f} %\n", "scene",
                    c.scene_cycles(), static_cast<double>(c.scene_cycles()) / polygons, "", formula,
-                   "", 100 * formula_error(c));
+                   "", 100 * error_of(formula_cycles(c), c));
     fmt::format_to(out, "{:<16}{:>14}\n", "other", c.in(Section::other));
 }
 

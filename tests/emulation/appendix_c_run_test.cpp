@@ -133,6 +133,23 @@ TEST(AppendixCOfMachines, KeepsTheCountsWhenTheFrameBufferIsBehindABus) {
     EXPECT_EQ(a.scene_cycles(), b.scene_cycles());  // waiting for the bus is no cycle
 }
 
+TEST(AppendixCOfMachines, CountsEveryPolygonThatIsDigestedForOthers) {
+    const RunOutcome outcome = run(small("interlace4", {"fabric.half_digested=true"}));
+    ASSERT_EQ(outcome.failure, "");
+    const AppendixC plain = run(small("interlace4")).appendix_c->all();
+    const AppendixC all = outcome.appendix_c->all();
+    EXPECT_EQ(outcome.appendix_c->frames, kFrames);
+    EXPECT_EQ(all.digested, kFrames * kPolygons);
+    EXPECT_EQ(all.vertices, plain.vertices);
+    EXPECT_EQ(all.heights, plain.heights);
+    EXPECT_EQ(all.lengths, plain.lengths);
+    EXPECT_EQ(all.depth, plain.depth);
+    for (std::size_t i = 0; i < outcome.report.nodes.size(); ++i) {
+        EXPECT_EQ(outcome.appendix_c->nodes[i].all().all_cycles(),
+                  outcome.report.nodes[i].statistics.cycles);
+    }
+}
+
 TEST(AppendixCOfMachines, RefusesProcessorsThatAreNotThere) {
     RunOptions options;
     options.appendix_c = true;
