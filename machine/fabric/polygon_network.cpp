@@ -25,6 +25,7 @@ PolygonFabricSettings effective(const PolygonFabricSettings& settings) {
         result.bus_input_fifo = result.processor_fifo = kIdealFifo;
         result.digest_output_queue = kIdealOutputQueue;
         result.latency = Duration::tick();
+        result.frame_buffer_bus_time_per_pixel.reset();
     }
     return result;
 }
@@ -187,11 +188,8 @@ void set_polygon_ports(Processor::Settings& processor, const PolygonFabricSettin
     processor.ports.receivers_queue = 1;  // a message's memory is free when the bus has taken it
     processor.ports.input_queue = effective(fabric).processor_fifo;
     processor.supervised = fabric.supervised;
-    ImagePath image = ImagePath::memory;
-    if (fabric.frame_buffer_bus_time_per_pixel) {
-        image = fabric.ideal ? ImagePath::io_page : ImagePath::bus;
-    }
-    processor.frame_buffer = FrameBuffer::Settings{grid.rows, grid.columns, image};
+    const bool over_bus = effective(fabric).frame_buffer_bus_time_per_pixel.has_value();
+    processor.frame_buffer = FrameBuffer::Settings{grid.rows, grid.columns, over_bus};
 }
 
 PolygonNetwork connect_polygon_network(Simulation& simulation, const Distribution& distribution,
@@ -200,7 +198,7 @@ PolygonNetwork connect_polygon_network(Simulation& simulation, const Distributio
     const PolygonFabricSettings wanted = effective(settings);
     check_processors(distribution, processors, wanted);
     PolygonNetwork network = Builder(simulation, distribution, processors, wanted).build();
-    if (wanted.frame_buffer_bus_time_per_pixel && !wanted.ideal) {
+    if (wanted.frame_buffer_bus_time_per_pixel) {
         network.frame_buffer_bus = &simulation.add<FrameBufferBus>(
             "frame_buffer_bus", *wanted.frame_buffer_bus_time_per_pixel,
             static_cast<int>(processors.size()));

@@ -28,7 +28,7 @@ namespace rasterloom {
 
 struct PolygonFabricSettings {
     // The thesis' assumption: every time below is 0 (a wire has one tick), no FIFO is ever full,
-    // and image words go into the frame buffer without a bus.
+    // and there is no frame-buffer bus: the image window stands in memory.
     bool ideal = false;
 
     Duration host_time_per_polygon = Duration::microseconds(10);

@@ -36,7 +36,7 @@ FrameBuffer::FrameBuffer(isa::Core& core, const Settings& settings)
         throw std::invalid_argument(fmt::format("a frame buffer has 1 to {} columns, not {}",
                                                 kMaxFrameBufferColumns, settings.columns));
     }
-    const std::uint32_t last_window = image_in_memory() ? kImageWindow : kDepthWindow;
+    const std::uint32_t last_window = settings.over_bus ? kDepthWindow : kImageWindow;
     const std::size_t needed = last_window + row_bytes();
     if (core.memory().size() < needed) {
         throw std::invalid_argument(fmt::format(
@@ -52,7 +52,7 @@ void FrameBuffer::keep_selected() {
     const auto memory = core_->memory();
     const std::size_t row = offset(*selected_);
     std::copy_n(memory.data() + kDepthWindow, row_bytes(), depth_.data() + row);
-    if (image_in_memory()) {
+    if (!settings_.over_bus) {
         std::copy_n(memory.data() + kImageWindow, row_bytes(), image_.data() + row);
     }
 }
@@ -60,7 +60,7 @@ void FrameBuffer::keep_selected() {
 void FrameBuffer::show_selected() {
     const std::size_t row = offset(*selected_);
     core_->write_memory(kDepthWindow, std::span(depth_).subspan(row, row_bytes()));
-    if (image_in_memory()) {
+    if (!settings_.over_bus) {
         core_->write_memory(kImageWindow, std::span(image_).subspan(row, row_bytes()));
     }
 }
@@ -100,7 +100,7 @@ std::int16_t FrameBuffer::depth(int row, int column) const {
 
 std::int16_t FrameBuffer::image(int row, int column) const {
     const std::size_t in_row = 2 * static_cast<std::size_t>(column);
-    if (selected_ == row && image_in_memory()) {
+    if (selected_ == row && !settings_.over_bus) {
         return word_at(core_->memory(), kImageWindow + in_row);
     }
     return word_at(image_, offset(row) + in_row);

@@ -4,7 +4,7 @@
 //
 //     depth words    kDepthWindow + 2 x column      in memory
 //     image words    kImageWindow + 2 x column      in memory, or
-//                    kBusImageWindow + 2 x column   in the I/O page
+//                    kBusImageWindow + 2 x column   in the I/O page, over the frame-buffer bus
 //
 // The rows rest here as the bytes they have in memory, low byte first, so that selecting another
 // one is a copy each way. At first every depth is kFarthestDepth, every image word 0, and no row is
@@ -25,19 +25,12 @@ inline constexpr std::uint32_t kBusImageWindow = 0170000;
 inline constexpr int kMaxFrameBufferColumns = 1024;      // a window's words
 inline constexpr std::uint16_t kFarthestDepth = 077777;  // of a pixel that has been cleared
 
-// How image words get into the frame buffer.
-enum class ImagePath : std::uint8_t {
-    memory,   // the window stands in memory
-    io_page,  // it stands in the I/O page, and a write takes no time of its own
-    bus,      // likewise, and every write waits for the frame-buffer bus
-};
-
 class FrameBuffer {
   public:
     struct Settings {
-        int rows = 0;     // 1 to 65536, what FBROW can name
-        int columns = 0;  // 1 to kMaxFrameBufferColumns
-        ImagePath image = ImagePath::memory;
+        int rows = 0;           // 1 to 65536, what FBROW can name
+        int columns = 0;        // 1 to kMaxFrameBufferColumns
+        bool over_bus = false;  // the image window stands in the I/O page
     };
 
     // The windows lie in the memory of `core`, which must outlive the frame buffer. Throws
@@ -46,14 +39,14 @@ class FrameBuffer {
 
     int rows() const { return settings_.rows; }
     int columns() const { return settings_.columns; }
-    ImagePath image_path() const { return settings_.image; }
+    bool over_bus() const { return settings_.over_bus; }
 
     // Puts row `row`, 0 to rows - 1, into the windows; what stood there is kept.
     void select(int row);
     std::optional<int> selected() const { return selected_; }
     // Every depth becomes kFarthestDepth and every image word `image`, in the windows, too.
     void clear(std::uint16_t image);
-    // Writes an image word of the selected row, which must be there; for a window in the I/O page.
+    // Writes an image word of the selected row, which must be there; for a buffer over the bus.
     void write_image(int column, std::uint16_t value);
 
     // As they are now, whether in a window or not; 0 <= row < rows, 0 <= column < columns.
@@ -61,7 +54,6 @@ class FrameBuffer {
     std::int16_t image(int row, int column) const;
 
   private:
-    bool image_in_memory() const { return settings_.image == ImagePath::memory; }
     std::size_t row_bytes() const { return 2 * static_cast<std::size_t>(settings_.columns); }
     std::size_t offset(int row) const { return static_cast<std::size_t>(row) * row_bytes(); }
     void keep_selected();

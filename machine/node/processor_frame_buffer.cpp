@@ -15,7 +15,7 @@ void Processor::add_frame_buffer(const FrameBuffer::Settings& settings) {
     } catch (const std::invalid_argument& problem) {
         throw std::invalid_argument(fmt::format("{}: {}", name(), problem.what()));
     }
-    if (settings.image == ImagePath::bus) {
+    if (settings.over_bus) {
         add_port("frame buffer");
     }
 }
@@ -49,7 +49,7 @@ isa::Bus::Status Processor::select_row(std::uint32_t row) {
 }
 
 isa::Bus::Status Processor::write_image_window(std::uint32_t address, std::uint32_t value) {
-    if (!frame_buffer_ || frame_buffer_->image_path() == ImagePath::memory || address % 2 != 0 ||
+    if (!frame_buffer_ || !frame_buffer_->over_bus() || address % 2 != 0 ||
         address < kBusImageWindow) {
         return Status::fault;
     }
@@ -60,7 +60,7 @@ isa::Bus::Status Processor::write_image_window(std::uint32_t address, std::uint3
     if (!frame_buffer_->selected()) {
         return refuse("an image word is written before FBROW has selected a row");
     }
-    if (frame_buffer_->image_path() == ImagePath::bus && !pixel_written_) {
+    if (!pixel_written_) {
         return ask_for_bus(column);
     }
     pixel_written_ = false;

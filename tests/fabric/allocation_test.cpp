@@ -2,6 +2,7 @@
 // A machine in its steady state allocates nothing: counted by a global operator new of this
 // program's own.
 #include "machine/fabric/network.hpp"
+#include "machine/fabric/polygon_network.hpp"
 #include "tests/node/script_program.hpp"
 #include "topologies/regular.hpp"
 
@@ -15,17 +16,18 @@ namespace {
 std::atomic<long> allocations{0};
 }  // namespace
 
-void* operator new(std::size_t bytes) {
+// Inlined, they would look to the compiler as if new and free were paired.
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
     ++allocations;
     if (void* memory = std::malloc(bytes)) {
         return memory;
     }
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
@@ -79,6 +81,48 @@ TEST(SteadyState, AllocatesNothing) {
     simulation.run(Time::zero() + Duration::milliseconds(24));
     EXPECT_EQ(allocations - before, 0);
     EXPECT_GT(messages() - messages_before, 10'000);
+}
+
+// Takes whatever comes, at its own pace.
+Script endless_reception(std::uint32_t work) {
+    Script s;
+    s.label("loop").write(port_register(PortRegister::rxaddr), 0).work(work);
+    return s.jump(Verb::jump, "loop");
+}
+
+TEST(SteadyState, AllocatesNothingInThePolygonFabric) {
+    const auto distribution = topology::distribute({4, 2, 2, 1}, 512, 512);
+    PolygonFabricSettings settings;
+    settings.supervised = false;
+    settings.host_time_per_polygon = Duration::microseconds(1);
+    Simulation simulation;
+    std::vector<Processor*> processors;
+    for (NodeIndex node = 0; node < 16; ++node) {
+        Processor::Settings processor;
+        processor.node = node;
+        set_polygon_ports(processor, settings, distribution.grids[node]);
+        processors.push_back(&simulation.add<Processor>(
+            "node/P" + std::to_string(node),
+            std::make_unique<ScriptCore>(endless_reception(node + 1).program(), 1, 0160000),
+            processor));
+    }
+    const PolygonNetwork network =
+        connect_polygon_network(simulation, distribution, processors, settings);
+    simulation.seal();
+    // Every third one goes everywhere, the others to one part.
+    std::vector<Polygon> frame(30'000, Polygon{{{0, 0, 0, 0}, {511, 0, 0, 0}, {511, 511, 0, 0}}});
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+        if (i % 3 != 0) {
+            frame[i].vertices.assign(10, {static_cast<std::int16_t>(i % 512), 300, 0, 0});
+        }
+    }
+    network.source->load({frame});
+    ASSERT_EQ(simulation.run(Time::zero() + Duration::milliseconds(40)).end, RunEnd::limit);
+    const std::int64_t sent_before = network.source->statistics().polygons;
+    const long before = allocations;
+    ASSERT_EQ(simulation.run(Time::zero() + Duration::milliseconds(60)).end, RunEnd::limit);
+    EXPECT_EQ(allocations - before, 0);
+    EXPECT_GT(network.source->statistics().polygons - sent_before, 1'000);
 }
 
 }  // namespace

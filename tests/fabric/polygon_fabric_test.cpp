@@ -12,6 +12,7 @@ namespace rasterloom {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using Verb = ScriptCore::Verb;
 
 Duration us(std::int64_t microseconds) {
@@ -122,21 +123,26 @@ TEST(PolygonBus, IsHeldByItsSlowestListener) {
     EXPECT_EQ(bus.busy, Duration());
 }
 
-// Three processors write two image words each, all of them at the same time.
+// Two image words written over the bus.
+Script two_words() {
+    Script s;
+    return s.write(kFbRow, 0).write(kBusImageWindow, 5).write(kBusImageWindow + 2, 6).halt();
+}
+
+// Processors that run this program, all of them at the same time.
 struct WritersMachine {
-    explicit WritersMachine(Duration time_per_pixel, int processors = 3) {
+    explicit WritersMachine(Duration time_per_pixel, int processors,
+                            const Script& program = two_words()) {
         bus = &simulation.add<FrameBufferBus>("frame_buffer_bus", time_per_pixel, processors);
         for (int i = 0; i < processors; ++i) {
             Processor::Settings settings;
             settings.node = static_cast<NodeIndex>(i);
             settings.clock = Clock::with_period(Duration::nanoseconds(100));
             settings.supervised = false;
-            settings.frame_buffer = FrameBuffer::Settings{1, 2, ImagePath::bus};
-            Script s;
-            s.write(kFbRow, 0).write(kBusImageWindow, 5).write(kBusImageWindow + 2, 6).halt();
+            settings.frame_buffer = FrameBuffer::Settings{1, 2, true};
             writers.push_back(&simulation.add<Processor>(
                 fmt::format("node/{}", processors - i),  // the order of names is not the ports'
-                std::make_unique<ScriptCore>(s.program(), 1, 0160000), settings));
+                std::make_unique<ScriptCore>(program.program(), 1, 0160000), settings));
             bus->connect(simulation, i, *writers.back());
         }
         simulation.seal();
@@ -161,7 +167,7 @@ TEST(FrameBufferBus, TakesAWordInItsTimeWhenNobodyElseAsks) {
 }
 
 TEST(FrameBufferBus, ServesThoseThatAskInTurn) {
-    WritersMachine machine(Duration::nanoseconds(300));
+    WritersMachine machine(Duration::nanoseconds(300), 3);
     EXPECT_EQ(machine.simulation.run().end, RunEnd::finished);
     // All ask at 300 ns and have their words written at 600, 900 and 1200; they ask again at 800,
     // 1100 and 1400, and from 1200 on the bus is never idle.
@@ -180,6 +186,23 @@ TEST(FrameBufferBus, ServesThoseThatAskInTurn) {
     }
     EXPECT_EQ(machine.writers[2]->statistics().in_state(NodeState::waiting_output),
               Duration::nanoseconds(900 + 700));
+}
+
+TEST(FrameBufferBus, LeadsToTheImageWindowOnly) {
+    const auto failure = [](const Script& program) {
+        WritersMachine machine(Duration::nanoseconds(300), 1, program);
+        const RunResult result = machine.simulation.run();
+        return result.failure == nullptr ? "no failure" : result.failure->message();
+    };
+    EXPECT_THAT(failure(Script().write(kFbRow, 0).write(kBusImageWindow + 4, 0)),
+                HasSubstr("bus error 170004"));
+    EXPECT_THAT(failure(Script().load(0, kBusImageWindow)), HasSubstr("bus error 170000"));
+    EXPECT_THAT(failure(Script().write(kBusImageWindow, 0)),
+                HasSubstr("before FBROW has selected a row"));
+    // Two accesses to the I/O page in one instruction, of which the second would have to wait.
+    EXPECT_THAT(failure(Script().write(kFbRow, 0).op(Verb::move, 0, kBusImageWindow,
+                                                     node_register(NodeRegister::node))),
+                HasSubstr("stalls at the second"));
 }
 
 TEST(PolygonFabric, RefusesSettingsOutOfRange) {

@@ -90,9 +90,9 @@ TEST(FrameBuffer, TouchesNothingOfTheMemoryButItsColumns) {
     }
 }
 
-TEST(FrameBuffer, WithAnImageInTheIoPageLeavesTheImageWindowsMemoryAlone) {
+TEST(FrameBuffer, OverTheBusLeavesTheImageWindowsMemoryAlone) {
     ScriptCore core = idle_core(kDepthWindow + 8);  // the image window need not be there
-    FrameBuffer buffer(core, {2, 4, ImagePath::io_page});
+    FrameBuffer buffer(core, {2, 4, true});
     buffer.select(1);
     buffer.write_image(3, 0x8001);
     buffer.select(0);
@@ -183,22 +183,6 @@ TEST(ProcessorFrameBuffer, EndsTheRunWhenTheProgramMisusesIt) {
                 HasSubstr("bus error 166004"));
     EXPECT_THAT(Bare(Script().write(kBusImageWindow, 0), FrameBuffer::Settings{3, 4}).failure(),
                 HasSubstr("bus error 170000"));
-}
-
-TEST(ProcessorFrameBuffer, TakesImageWordsThroughTheIoPage) {
-    const FrameBuffer::Settings settings{3, 4, ImagePath::io_page};
-    Script s;
-    s.write(kFbRow, 1).write(kBusImageWindow + 6, 0x1234).halt();
-    Bare bare(s, settings);
-    EXPECT_EQ(bare.failure(), "no failure");
-    EXPECT_EQ(bare.processor->statistics().cycles, 5);
-    EXPECT_EQ(bare.processor->frame_buffer()->image(1, 3), 0x1234);
-    EXPECT_THAT(Bare(Script().write(kFbRow, 0).write(kBusImageWindow + 8, 0), settings).failure(),
-                HasSubstr("bus error 170010"));
-    EXPECT_THAT(Bare(Script().load(0, kBusImageWindow), settings).failure(),
-                HasSubstr("bus error 170000"));
-    EXPECT_THAT(Bare(Script().write(kBusImageWindow, 0), settings).failure(),
-                HasSubstr("before FBROW has selected a row"));
 }
 
 TEST(ProcessorFrameBuffer, NeedsAMemoryThatHoldsTheWindows) {
