@@ -93,16 +93,26 @@ side'_distance:
         inc     r0
         jmp     side'_walk
 
-side'_below:
+side'_stepped:
         .if ne skip_deltas
-        bne     side'_scaled
         inc     r1
         cmp     r1, row
         bge     side'_exact
-side'_scaled:
         .endc
+        edge_height
+        mov     #side'_end, sp
+        edge_value_stepped at_shade
+        edge_value_stepped at_z
+        edge_value_stepped at_x
+        jmp     side'_set
+
+side'_below:
+        bne     side'_lags
+        jmp     side'_stepped
+side'_lags:
         mov     r0, lag
         edge_height
+        keep_height
         mov     #side'_end, sp
         edge_value_below at_shade
         edge_value_below at_z

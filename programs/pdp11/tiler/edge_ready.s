@@ -14,6 +14,9 @@
         .macro  edge_height
         .endm
 
+        .macro  keep_height
+        .endm
+
 ; As in edge_value.s, but for the height.
         .macro  edge_value at
         .if ne full
@@ -24,6 +27,22 @@
         .iff
         mov     at(r5), -(sp)
         mov     slope_of_'at(r5), to_delta(sp)
+        .endc
+        .endm
+
+        .macro  edge_value_stepped at
+        mov     slope_of_'at(r5), r0
+        .if ne full
+        mov     slope_of_'at+2(r5), r1
+        scale_slope y_step, y_shift
+        mov     #100000, -(sp)
+        mov     at(r5), -(sp)
+        mov     r0, to_delta(sp)
+        mov     r1, to_delta+2(sp)
+        .iff
+        scale_slope y_step, y_shift
+        mov     at(r5), -(sp)
+        mov     r0, to_delta(sp)
         .endc
         .endm
 

@@ -13,6 +13,10 @@
         sub     r3, r2
         .endm
 
+        .macro  keep_height
+        mov     r2, steps
+        .endm
+
 ; A value of the side at a, and its delta: both pushed before sp, which is the end of the values still to be made.
 ; In: the edge's height in r2. Clobbers r0, r1, r3.
         .macro  edge_value at
@@ -31,19 +35,40 @@
         .endc
         .endm
 
-; The same `lag` lines below a, with rows y_step lines apart.
-        .macro  edge_value_below at
+; The same with rows y_step lines apart.
+        .macro  edge_value_stepped at
         mov     at(r4), r1
         sub     at(r5), r1
         divide  r2, r3
         .if ne full
+        mov     #100000, -(sp)
+        mov     at(r5), -(sp)
+        mov     r0, r1
+        mov     r3, r0
+        join_slope r0, r1
+        scale_slope y_step, y_shift
+        mov     r0, to_delta(sp)
+        mov     r1, to_delta+2(sp)
+        .iff
+        mov     at(r5), -(sp)
+        scale_slope y_step, y_shift
+        mov     r0, to_delta(sp)
+        .endc
+        .endm
+
+; The same `lag` lines below a. In: the edge's height in `steps`. Clobbers r2, too.
+        .macro  edge_value_below at
+        mov     at(r4), r1
+        sub     at(r5), r1
+        divide  steps, r3
+        .if ne full
         mov     r3, whole
-        mov     r0, fraction
+        mov     r0, r2
         value_after lag, at(r5)
         mov     r1, -(sp)
         mov     r0, -(sp)
         mov     whole, r0
-        mov     fraction, r1
+        mov     r2, r1
         join_slope r0, r1
         scale_slope y_step, y_shift
         mov     r0, to_delta(sp)

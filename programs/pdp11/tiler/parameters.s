@@ -88,7 +88,7 @@ pixel_dshade:   .blkw   1
 lag:            .blkw   1               ; from a vertex down to the present line
 lead:           .blkw   1               ; from a segment's left end to its first assigned pixel
 whole:          .blkw   1               ; a slope's parts
-fraction:       .blkw   1
+steps:          .blkw   1               ; what a difference is divided by
 start_z:        .blkw   2               ; at that pixel
 start_shade:    .blkw   2
 

@@ -14,14 +14,18 @@
         .macro  add_deltas side
         mov     #side'_deltas_end, r3
         mov     #side'_end, r4
+        add_side
+        .endm
+
+        .macro  add_side
         add_delta
         add_delta
         add_delta
         .endm
 
 next_segment:
-        add_deltas left
         add_deltas right
+        add_side                        ; the left one's words stand before the right one's
 
 ; In: the sides' values; row. In registers: r5 the first assigned pixel's depth word, sp their number, r2 the steps from
 ; the left end to the right one.
