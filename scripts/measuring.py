@@ -48,7 +48,7 @@ def setting(**values):
 
 
 def table(head, rows):
-    print("| " + " | ".join(head) + " |")
+    print("| " + " | ".join(str(cell) for cell in head) + " |")
     print("|" + "---|" * len(head))
     for row in rows:
         print("| " + " | ".join(str(cell) for cell in row) + " |")
