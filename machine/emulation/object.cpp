@@ -16,8 +16,8 @@ namespace rasterloom::emulation {
 
 namespace {
 
-host::Mesh read_mesh(const config::SceneDescription& scene) {
-    host::Mesh mesh = host::load_mesh(*scene.mesh);
+host::Mesh read_mesh(const config::SceneDescription& scene, host::Polygons polygons) {
+    host::Mesh mesh = host::load_mesh(*scene.mesh, polygons);
     host::orient(mesh, {host::parse_axis(scene.up), host::parse_axis(scene.front)});
     host::fit_to_sphere(mesh, scene.size);
     return mesh;
@@ -44,14 +44,14 @@ std::vector<std::string> names_of_objects() {
 
 }  // namespace
 
-host::Mesh make_object(const config::MachineDescription& machine) {
+host::Mesh make_object(const config::MachineDescription& machine, host::Polygons polygons) {
     const config::SceneDescription& scene = *machine.scene;
     const std::vector<std::string> names = names_of_objects();
     if (!scene.mesh && std::find(names.begin(), names.end(), scene.object) == names.end()) {
         refuse_name(machine);
     }
     try {
-        return scene.mesh ? read_mesh(scene) : host::make_scene_object(scene.object);
+        return scene.mesh ? read_mesh(scene, polygons) : host::make_scene_object(scene.object);
     } catch (const std::exception& problem) {
         throw machine.error("scene.object", {}, problem.what());
     }

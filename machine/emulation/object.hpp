@@ -3,14 +3,15 @@
 #pragma once
 
 #include "machine/config/description.hpp"
-#include "machine/host/mesh.hpp"
+#include "machine/host/mesh_file.hpp"
 #include "machine/host/view.hpp"
 
 namespace rasterloom::emulation {
 
 // The built-in object, or the mesh file turned upright and fitted. Throws ConfigError, which points
 // at scene.object.
-host::Mesh make_object(const config::MachineDescription& machine);
+host::Mesh make_object(const config::MachineDescription& machine,
+                       host::Polygons polygons = host::Polygons::triangulated);
 
 // Without rotation: the frames differ in that.
 host::View make_view(const config::MachineDescription& machine);

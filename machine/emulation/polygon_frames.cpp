@@ -24,7 +24,7 @@ std::optional<host::Mesh> read_model(const MachineDescription& machine) {
         return std::nullopt;
     }
     try {
-        host::Mesh mesh = host::load_mesh(scene.model->path);
+        host::Mesh mesh = host::load_mesh(scene.model->path, host::Polygons::as_in_file);
         host::check(mesh);
         host::orient(mesh, {host::parse_axis(scene.up), host::parse_axis(scene.front)});
         return mesh;
@@ -48,10 +48,6 @@ void add(host::PolygonSetupStatistics& sum, const host::PolygonSetupStatistics& 
 void make_scene_frames(const MachineDescription& machine, PolygonFrames& result) {
     const config::SceneDescription& wanted = *machine.scene;
     const host::PolygonScene& scene = *host::find_polygon_scene(wanted.object);
-    if (wanted.model && !scene.takes_model) {
-        throw machine.error("scene.model", wanted.model->text, "nothing to put in its place",
-                            std::string("a scene with a model, not ") + scene.name);
-    }
     const std::optional<host::Mesh> model = read_model(machine);
     host::PolygonSceneOptions options;
     options.width = static_cast<int>(machine.screen.width);
@@ -74,7 +70,7 @@ void make_scene_frames(const MachineDescription& machine, PolygonFrames& result)
 }
 
 void make_object_frames(const MachineDescription& machine, PolygonFrames& result) {
-    const host::Mesh object = make_object(machine);
+    const host::Mesh object = make_object(machine, host::Polygons::as_in_file);
     host::View view = make_view(machine);
     host::PolygonShading shading;
     shading.normals = machine.scene->normals == config::Normals::face ? host::NormalStyle::face

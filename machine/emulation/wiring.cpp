@@ -3,6 +3,7 @@
 
 #include "machine/config/field.hpp"
 #include "machine/emulation/scene_kind.hpp"
+#include "machine/host/polygon_scenes.hpp"
 #include "topologies/registry.hpp"
 
 #include <algorithm>
@@ -53,8 +54,17 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
             {"scene.size", "scene.normals", "scene.rotate.", "scene.routing", "scene.scale",
              "scene.translate", "scene.vanishing_distance", "scene.light", "scene.ambient"});
     }
-    if (kind != SceneKind::polygon_scene) {
-        add("a polygon scene", {"scene.model", "scene.polygons", "scene.seed"});
+    const host::PolygonScene* scene = kind == SceneKind::polygon_scene
+                                          ? host::find_polygon_scene(machine.scene->object)
+                                          : nullptr;
+    if (scene == nullptr || !scene->takes_model) {
+        add("a polygon scene with a model of its own", {"scene.model"});
+    }
+    if (scene == nullptr || !scene->is_random) {
+        add("a random scene", {"scene.polygons", "scene.seed"});
+    }
+    if (!machine.scene->mesh && !machine.scene->model) {
+        add("a mesh file", {"scene.up", "scene.front"});
     }
     return idle;
 }

@@ -14,18 +14,18 @@ constexpr int kSky = 190;
 
 constexpr std::array kScenes{
     PolygonScene{"runway", "a runway and a shuttle, reconstructed (Parks 1982, figure 15)", false,
-                 kSky, runway_scene},
+                 false, kSky, runway_scene},
     PolygonScene{"airport",
                  "an approach to two shuttles on a runway (Parks 1982, figures 16 to 21)", true,
-                 kSky, airport_scene},
+                 false, kSky, airport_scene},
     PolygonScene{"shuttle_profile",
-                 "a shuttle off the left side of its tail (Parks 1982, figures 22 and 23)", true, 0,
-                 shuttle_profile_scene},
+                 "a shuttle off the left side of its tail (Parks 1982, figures 22 and 23)", true,
+                 false, 0, shuttle_profile_scene},
     PolygonScene{"cargo_bay",
                  "from a shuttle's cabin into its cargo bay (Parks 1982, figures 24 and 25)", true,
-                 0, cargo_bay_scene},
+                 false, 0, cargo_bay_scene},
     PolygonScene{"random_polygons", "convex polygons evenly over the screen: Parke's assumption",
-                 false, 0, random_polygons},
+                 false, true, 0, random_polygons},
 };
 
 }  // namespace

@@ -33,6 +33,7 @@ struct PolygonScene {
     const char* name;
     const char* summary;
     bool takes_model;
+    bool is_random;  // depends on seed and count
     int background;  // grey level
     std::vector<Polygon> (*make)(const PolygonSceneOptions&);
 };

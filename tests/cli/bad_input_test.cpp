@@ -100,7 +100,7 @@ const std::vector<BadInput> kBadInputs{
      {"run", "uniprocessor.yaml", "--set", "scene=scenes/random.yaml", "--set",
       "scene.model=" RASTERLOOM_SOURCE_DIR "/tests/cli/programs/flat.obj"},
      2,
-     {"scene.model", "random_polygons"}},
+     {"--set scene.model: ", "has no effect here"}},
     {"PolygonOffTheScreen",
      {"run", "uniprocessor.yaml", "--set", "screen={width: 16, height: 16}", "--set",
       "scene={object: " RASTERLOOM_SOURCE_DIR "/tests/cli/programs/wide.polygons}"},

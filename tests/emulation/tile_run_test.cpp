@@ -249,6 +249,11 @@ TEST(TileRun, RefusesWhatTheMachineHasNoUseFor) {
                 HasSubstr("fabric.ideal: has no effect here"));
     EXPECT_THAT(refusal(shipped("geodesic482.yaml", {"scene.object=random_polygons"})),
                 HasSubstr("scene.object: is made of screen polygons"));
+    EXPECT_THAT(refusal(shipped("splitter4.yaml", {"scene.seed=2"})),
+                HasSubstr("scene.seed: has no effect here '2'; expected the default, or a random "
+                          "scene"));
+    EXPECT_THAT(refusal(small("splitter4", {"scene.up=x"})),
+                HasSubstr("scene.up: has no effect here"));
     EXPECT_EQ(refusal(small("splitter4", {"links.latency=1us"})), "no error");
 }
 
