@@ -15,7 +15,7 @@
 // a shuttle of 46 by 15 pixels.
 //
 // What is free: the shuttle's outline and the polygons' places in it. They have been searched for
-// by scripts/fit_runway.cpp. The thesis' lower right quadrant has 21 polygons of a single point
+// by scripts/fit_runway/. The thesis' lower right quadrant has 21 polygons of a single point
 // more than the processor of its corner; here these are the nose wheel, left of x = 384.
 #include "machine/host/scene_makers.hpp"
 #include "machine/host/scene_runway_table.hpp"

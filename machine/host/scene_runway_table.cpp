@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Found by scripts/fit_runway.cpp; not meant to be edited.
+// Found by scripts/fit_runway/; not meant to be edited.
 #include "machine/host/scene_runway_table.hpp"
 
 namespace rasterloom::host {

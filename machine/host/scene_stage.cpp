@@ -115,7 +115,7 @@ Mesh scene_shuttle(const Mesh* model) {
         throw std::invalid_argument("mesh '" + mesh.name +
                                     "' has no length along x: expected a shuttle, front to -x");
     const glm::dvec3 foot((least.x + greatest.x) / 2, (least.y + greatest.y) / 2, least.z);
-    const double factor = ShuttlePlaces{}.length / (greatest.x - least.x);
+    const double factor = kShuttleLength / (greatest.x - least.x);
     for (auto& position : mesh.positions)
         position = factor * (position - foot);
     return mesh;

@@ -16,8 +16,8 @@ constexpr std::array<Shot, 2> kProfile{{
     {{13.20, -29.85, 16.45}, {11.96, 3.52, 11.69}, 53.0},
 }};
 constexpr std::array<Shot, 2> kCabin{{
-    {{-8.8, 0.0, 7.0}, {-3.1, 0.0, -0.5}, 80},
-    {{-8.8, 0.3, 6.9}, {-3.1, 0.1, -0.5}, 80},
+    {{-8.9, 0.6, 6.7}, {-3.16, 0.36, -1.49}, 90},
+    {{-8.9, 0.6, 5.9}, {-2.47, 0.36, -1.76}, 90},
 }};
 
 std::vector<Polygon> view(const PolygonSceneOptions& options, std::span<const Shot> path) {

@@ -10,19 +10,12 @@
 
 #include "machine/host/mesh.hpp"
 
-#include <glm/vec3.hpp>
-
 namespace rasterloom::host {
 
 // Surfaces: white, black, grey, dark, radiator, bay, payload, glass, metal.
 Mesh make_shuttle();
 
-// Where things are, for cameras.
-struct ShuttlePlaces {
-    double length = 37;
-    glm::dvec3 cabin_window{-8.2, 0, 7.4};  // looks aft into the bay
-    glm::dvec3 bay_middle{0, 0, 5.2};
-    glm::dvec3 fin_top{18, 0, 16.6};
-};
+// From the nose to the tip of the fin.
+inline constexpr double kShuttleLength = 37;
 
 }  // namespace rasterloom::host

@@ -90,7 +90,7 @@ TEST(Shuttle, StandsOnTheGroundAndIsSymmetric) {
     const Mesh mesh = make_shuttle();
     const auto [least, greatest] = bounds(mesh);
     EXPECT_NEAR(least.z, 0, 0.15);
-    EXPECT_NEAR(greatest.x - least.x, ShuttlePlaces{}.length, 0.5);
+    EXPECT_NEAR(greatest.x - least.x, kShuttleLength, 0.5);
     std::set<std::tuple<double, double, double>> points;
     for (const auto& position : mesh.positions)
         points.emplace(std::round(position.x * 1e6), std::round(position.y * 1e6),
@@ -105,7 +105,7 @@ TEST(SceneShuttle, PutsAModelOnTheGroundAtTheShuttlesLength) {
     model.polygons = {{{0, 1, 2}, 0}};
     const Mesh placed = scene_shuttle(&model);
     const auto [least, greatest] = bounds(placed);
-    EXPECT_NEAR(greatest.x - least.x, ShuttlePlaces{}.length, 1e-9);
+    EXPECT_NEAR(greatest.x - least.x, kShuttleLength, 1e-9);
     EXPECT_NEAR(greatest.x + least.x, 0, 1e-9);
     EXPECT_NEAR(greatest.y + least.y, 0, 1e-9);
     EXPECT_NEAR(least.z, 0, 1e-9);

@@ -101,6 +101,28 @@ TEST(Scenes, ChangeFromFrameToFrameAndAreTheSameEveryTime) {
     }
 }
 
+// A change of a scene changes what has been measured on it: then this table must change, too.
+TEST(Scenes, AreTheSameOnEveryMachine) {
+    const auto digest = [](const std::string& scene, std::int64_t frames) {
+        std::uint64_t hash = 0xcbf29ce484222325;
+        const auto take = [&hash](std::int64_t value) {
+            hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001b3;
+        };
+        for (std::int64_t frame = 0; frame < frames; ++frame)
+            for (const auto& polygon : frame_of(scene, frame, frames)) {
+                take(static_cast<std::int64_t>(polygon.vertices.size()));
+                for (const auto& vertex : polygon.vertices)
+                    for (const std::int64_t value : {vertex.x, vertex.y, vertex.z, vertex.shade})
+                        take(value);
+            }
+        return hash;
+    };
+    EXPECT_EQ(digest("runway", 1), 3724195969619770017U);
+    EXPECT_EQ(digest("airport", 11), 6179563324074033555U);
+    EXPECT_EQ(digest("shuttle_profile", 3), 10584922372501625591U);
+    EXPECT_EQ(digest("cargo_bay", 3), 17326183895554216590U);
+}
+
 TEST(Airport, ShowsRunwaysAndShuttlesInFrontOfTheGround) {
     for (std::int64_t frame = 0; frame < 31; ++frame) {
         const auto polygons = frame_of("airport", frame, 31);
