@@ -62,6 +62,8 @@ class AppendixCCollector {
     // Taps the processors' cores and listens to them; they must outlive the collector. Throws
     // std::invalid_argument when the program has no taps or a processor no frame buffer.
     AppendixCCollector(const isa::Image& image, const std::vector<Processor*>& processors);
+    AppendixCCollector(const AppendixCCollector&) = delete;
+    AppendixCCollector& operator=(const AppendixCCollector&) = delete;
 
     // To be called once, after the run. `names` by node.
     observe::AppendixCReport finish(const std::string& machine,
