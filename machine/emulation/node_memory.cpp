@@ -48,17 +48,26 @@ NodeMemory::NodeMemory(const isa::Image& image, std::string_view first, std::str
                        std::string_view tables)
     : image_(image) {
     constants_.address = require_symbol(image, first);
-    for (std::uint32_t a = constants_.address; a < require_symbol(image, end); ++a) {
+    const std::uint32_t beyond = require_symbol(image, end);
+    for (std::uint32_t a = constants_.address; a < beyond; ++a) {
         constants_.bytes.push_back(byte_of(image, a));
     }
     tables_.address = require_symbol(image, tables);
 }
 
 void NodeMemory::set(std::string_view symbol, std::int64_t value, std::uint32_t offset) {
-    const std::uint32_t address = require_symbol(image_, symbol) + offset;
+    set_at(address_of(symbol) + offset, value);
+}
+
+std::uint32_t NodeMemory::address_of(std::string_view symbol) const {
+    return require_symbol(image_, symbol);
+}
+
+void NodeMemory::set_at(std::uint32_t address, std::int64_t value) {
     if (address < constants_.address ||
         address - constants_.address + 2 > constants_.bytes.size()) {
-        throw std::logic_error(fmt::format("symbol '{}' is not one that the loader fills", symbol));
+        throw std::logic_error(
+            fmt::format("address {:06o} is not one that the loader fills", address));
     }
     put(constants_.bytes, address - constants_.address, value);
 }

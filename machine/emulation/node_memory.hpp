@@ -24,6 +24,9 @@ class NodeMemory {
     // std::invalid_argument when the image lacks the symbol, std::logic_error when it is not
     // between `first` and `end`.
     void set(std::string_view symbol, std::int64_t value, std::uint32_t offset = 0);
+    // Likewise, at a byte address; for tables, whose symbol need not be looked up for every word.
+    void set_at(std::uint32_t address, std::int64_t value);
+    std::uint32_t address_of(std::string_view symbol) const;
 
     // Address of the next table word or byte.
     std::uint32_t here() const {

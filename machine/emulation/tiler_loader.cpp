@@ -59,15 +59,16 @@ void check_screen(const isa::Image& image, const TilerScreen& screen) {
 
 class Table {
   public:
-    Table(NodeMemory& memory, std::string_view symbol) : memory_(memory), symbol_(symbol) {}
+    Table(NodeMemory& memory, std::string_view symbol)
+        : memory_(memory), address_(memory.address_of(symbol)) {}
     // Of an entry above the symbol's address.
     void set(int index, int value) {
-        memory_.set(symbol_, value, 2 * static_cast<std::uint32_t>(index));
+        memory_.set_at(address_ + 2 * static_cast<std::uint32_t>(index), value);
     }
 
   private:
     NodeMemory& memory_;
-    std::string_view symbol_;
+    std::uint32_t address_;
 };
 
 void set_step(NodeMemory& memory, std::string_view step, std::string_view shift, int value) {
