@@ -21,11 +21,12 @@ constexpr double kSecondRunway = 700;  // y of its middle
 constexpr double kPlain = 60000;
 
 // A corner rounded to whole pixels moves along the ground by up to half a line, some 54 of the
-// depths that a frame has, and a plane with it: these offsets keep ground, runways and shuttles
-// apart. Depths end at 0, on the lowest line in the picture, where runway and ground are equally
-// near: there the first one stays, so the runways come before the ground.
+// depths that a frame has, and a plane with it; splitters round again. These offsets keep ground,
+// runways and shuttles apart in the distance, and the runways' height does where they come under
+// the viewer: depths end at 0 there, and offsets with them.
 constexpr int kPainted = -180;
 constexpr int kStanding = -360;
+constexpr double kRunwayHeight = 0.6;
 
 // Figures 16 to 21: far off, nearer, close. The viewer hardly moves within a pair, but looks
 // elsewhere ("the change in processing time is more attributed to a change in target", 5.1).
@@ -47,15 +48,15 @@ std::vector<Polygon> airport_scene(const PolygonSceneOptions& options) {
                           {to, middle - half},
                           {to, middle + half},
                           {from, middle + half}},
-                         grey, kPainted);
+                         grey, {kRunwayHeight, kPainted});
     };
-    strip(300, kRunwayLength - 400, kSecondRunway, kHalfWidth, 115);
-    strip(0, kRunwayLength, 0, kHalfWidth, 125);
     stage.add_ground({{-kPlain, -kPlain}, {kPlain, -kPlain}, {kPlain, kPlain}, {-kPlain, kPlain}},
                      85);
+    strip(300, kRunwayLength - 400, kSecondRunway, kHalfWidth, 115);
+    strip(0, kRunwayLength, 0, kHalfWidth, 125);
     const Mesh shuttle = scene_shuttle(options.model);
-    stage.add_mesh(shuttle, {{262, 20, 0}, 32, kStanding});
-    stage.add_mesh(shuttle, {{312, -22, 0}, -38, kStanding});
+    stage.add_mesh(shuttle, {{262, 20, kRunwayHeight}, 32, kStanding});
+    stage.add_mesh(shuttle, {{312, -22, kRunwayHeight}, -38, kStanding});
     return screen_polygons(stage.polygons(), camera_at(kApproach, options.frame, options.frames),
                            options.width, options.height, options.setup);
 }

@@ -29,7 +29,7 @@ namespace {
 constexpr int kSide = 512;
 
 struct GroundCorner {
-    int x, y, grey;
+    int x, y;
 };
 
 // Depth on the ground grows evenly with the line, as 1/distance does.
@@ -41,13 +41,13 @@ constexpr int kPainted = 60;  // nearer than the ground
 constexpr int kShuttleDepth = 20000;
 constexpr int kLayerDepth = 16;
 
-Polygon on_ground(std::initializer_list<GroundCorner> corners, int nearer) {
+Polygon on_ground(std::initializer_list<GroundCorner> corners, int grey, int nearer) {
     Polygon polygon;
     for (const auto& corner : corners)
         polygon.vertices.push_back({static_cast<std::int16_t>(corner.x),
                                     static_cast<std::int16_t>(corner.y),
                                     static_cast<std::int16_t>(ground_depth(corner.y) - nearer),
-                                    static_cast<std::int16_t>(corner.grey * kShadeUnit)});
+                                    static_cast<std::int16_t>(grey * kShadeUnit)});
     return polygon;
 }
 
@@ -72,15 +72,9 @@ std::vector<Polygon> runway_scene(const PolygonSceneOptions& options) {
             "the runway scene has 512 x 512 pixels, not " + std::to_string(options.width) + " x " +
             std::to_string(options.height) + ": it is a reconstruction of one picture");
     std::vector<Polygon> polygons{
-        on_ground({{0, 0, 60}, {511, 0, 60}, {511, 301, 100}, {0, 301, 100}}, 0),
-        on_ground({{230, 279, 130},
-                   {0, 49, 160},
-                   {0, 0, 165},
-                   {511, 0, 165},
-                   {511, 49, 160},
-                   {281, 279, 130}},
-                  kPainted),
-        on_ground({{385, 207, 135}, {508, 249, 130}, {460, 279, 120}, {406, 279, 120}}, kPainted)};
+        on_ground({{0, 0}, {511, 0}, {511, 301}, {0, 301}}, 85, 0),
+        on_ground({{230, 279}, {0, 49}, {0, 0}, {511, 0}, {511, 49}, {281, 279}}, 145, kPainted),
+        on_ground({{385, 207}, {508, 249}, {460, 279}, {406, 279}}, 120, kPainted)};
     for (const auto& tiny : runway_shuttle())
         polygons.push_back(of_shuttle(tiny));
     return polygons;

@@ -77,11 +77,11 @@ void Stage::add_flat(std::span<const glm::dvec3> corners, double grey, int depth
     polygon.depth_offset = depth_offset;
 }
 
-void Stage::add_ground(std::initializer_list<glm::dvec2> corners, double grey, int depth_offset) {
+void Stage::add_ground(std::initializer_list<glm::dvec2> corners, double grey, const Level& level) {
     std::vector<glm::dvec3> raised;
     for (const auto& corner : corners)
-        raised.emplace_back(corner.x, corner.y, 0.0);
-    add_flat(raised, grey, depth_offset);
+        raised.emplace_back(corner.x, corner.y, level.height);
+    add_flat(raised, grey, level.depth_offset);
 }
 
 Camera camera_at(std::span<const Shot> path, std::int64_t frame, std::int64_t frames) {

@@ -33,6 +33,11 @@ struct Shot {
 // last, halfway from one shot to the next in between; one frame alone is the first shot.
 Camera camera_at(std::span<const Shot> path, std::int64_t frame, std::int64_t frames);
 
+struct Level {
+    double height = 0;
+    int depth_offset = 0;
+};
+
 class Stage {
   public:
     // Polygons of the mesh in its order, lit by the sun; the grey of a face follows from its
@@ -40,8 +45,9 @@ class Stage {
     void add_mesh(const Mesh& mesh, const Placement& placement);
     // A face of one grey level, 0 to 255, corners counter-clockwise as its front is seen.
     void add_flat(std::span<const glm::dvec3> corners, double grey, int depth_offset = 0);
-    // On the ground z = 0: corners (x, y) counter-clockwise from above.
-    void add_ground(std::initializer_list<glm::dvec2> corners, double grey, int depth_offset = 0);
+    // Level: corners (x, y) counter-clockwise from above.
+    void add_ground(std::initializer_list<glm::dvec2> corners, double grey,
+                    const Level& level = {});
 
     const std::vector<StagePolygon>& polygons() const { return polygons_; }
 
