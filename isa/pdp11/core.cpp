@@ -231,9 +231,14 @@ void Pdp11Core::write_memory(std::uint32_t address, std::span<const std::uint8_t
                                 std::to_string(memory().size()));
     }
     std::copy(bytes.begin(), bytes.end(), m_->memory.begin() + address);
-    for (std::uint32_t index = address / 2; index <= (end - 1) / 2; ++index) {
+    for (std::uint32_t index = address / 2; index <= (end - 1) / 2;) {
+        if (!m_->is_code_near(index)) {
+            index = (index | 31U) + 1;
+            continue;
+        }
         if (m_->is_code(index))
             cache_.written(index);
+        ++index;
     }
 }
 

@@ -102,6 +102,8 @@ struct Machine {
     bool is_code(std::uint32_t index) const {
         return ((code[index >> 5] >> (index & 31U)) & 1U) != 0;
     }
+    // The same of any of the 32 words from index & ~31 on.
+    bool is_code_near(std::uint32_t index) const { return code[index >> 5] != 0; }
 
   private:
     // The guest is little-endian whatever the host is.

@@ -40,14 +40,18 @@ void PolygonBus::handle(const Event& event) {
             throw InvariantError(now(), name(), "the input FIFO overflows");
         }
     } else {
-        OutputFifo& listener = listeners_[static_cast<std::size_t>(event.port) - 1];
-        if (!listener.receiver_has_room()) {
-            book_held();
-            --full_listeners_;
-        }
-        listener.credit();
+        take_credit(static_cast<std::size_t>(event.port) - 1);
     }
     take();
+}
+
+// No transfer begins while the bus is held: a listener that lacks a place has lacked it since then.
+void PolygonBus::take_credit(std::size_t listener) {
+    if (held_ && lacks_place(listener)) {
+        statistics_.held_by[listener] += now() - held_since_;
+    }
+    full_listeners_ -= listeners_[listener].receiver_has_room() ? 0 : 1;
+    listeners_[listener].credit();
 }
 
 void PolygonBus::take() {
@@ -59,7 +63,10 @@ void PolygonBus::take() {
             }
             return;
         }
-        held_ = false;
+        if (held_) {
+            held_ = false;
+            statistics_.held += now() - held_since_;
+        }
         begin();
     }
 }
@@ -129,21 +136,6 @@ void PolygonBus::end() {
     busy_ = false;
     input_.drop_oldest(now());
     send(kInput, static_cast<EventKind>(MessageEvent::credit), 0, now());
-}
-
-// To be called before a listener's places change.
-void PolygonBus::book_held() {
-    if (!held_) {
-        return;
-    }
-    const Duration passed = now() - held_since_;
-    statistics_.held += passed;
-    for (std::size_t i = 0; i < listeners_.size(); ++i) {
-        if (lacks_place(i)) {
-            statistics_.held_by[i] += passed;
-        }
-    }
-    held_since_ = now();
 }
 
 PolygonBusStatistics PolygonBus::statistics() const {

@@ -65,7 +65,7 @@ class PolygonBus final : public Component {
     void end();
     std::optional<std::size_t> only_listener() const;
     bool lacks_place(std::size_t listener) const;
-    void book_held();
+    void take_credit(std::size_t listener);
 
     PolygonBusSettings settings_;
     InputFifo input_;

@@ -45,8 +45,7 @@ void TurnBus::handle(const Event& event) {
                 ++waiting_;
                 break;
             case MessageEvent::credit:
-                full_receivers_ -= station.receiver.receiver_has_room() ? 0 : 1;
-                station.receiver.credit();
+                take_credit(static_cast<std::size_t>(event.port) / 2);
                 break;
             default:
                 throw InvariantError(now(), name(), "an event that no bus expects");
@@ -55,17 +54,32 @@ void TurnBus::handle(const Event& event) {
     take();
 }
 
+// No transfer begins while the bus is held: who lacks a place has lacked it since then.
+void TurnBus::take_credit(std::size_t processor) {
+    OutputFifo& receiver = stations_[processor].receiver;
+    if (!receiver.receiver_has_room()) {
+        --full_receivers_;
+        statistics_.held_by[processor] += state_ == State::held ? now() - held_since_ : Duration();
+    }
+    receiver.credit();
+}
+
 void TurnBus::take() {
     if (state_ == State::busy) {
         return;
     }
+    const bool was_held = state_ == State::held;
     state_ = next_state();
+    if (state_ == State::held && !was_held) {
+        held_since_ = now();
+    }
     while (state_ == State::busy) {
         broadcast();
         if (state_ == State::busy) {
             return;  // until the transfer ends
         }
         state_ = next_state();
+        held_since_ = now();
     }
 }
 
@@ -159,11 +173,6 @@ void TurnBus::book() {
         statistics_.waited_for[turn_] += passed;
     } else if (state_ == State::held) {
         statistics_.held += passed;
-        for (std::size_t i = 0; i < stations_.size(); ++i) {
-            if (!stations_[i].receiver.receiver_has_room()) {
-                statistics_.held_by[i] += passed;
-            }
-        }
     }
 }
 

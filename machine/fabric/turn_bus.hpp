@@ -76,6 +76,7 @@ class TurnBus final : public Component {
         OutputFifo receiver;
     };
 
+    void take_credit(std::size_t processor);
     void take();
     State next_state();
     void take_end(std::size_t processor);
@@ -93,7 +94,8 @@ class TurnBus final : public Component {
     int full_receivers_ = 0;
     Message end_;  // of the frame, as it is broadcast
     State state_ = State::idle;
-    Time since_;  // of what is not booked yet
+    Time held_since_;  // while it is held
+    Time since_;       // of what is not booked yet
     TurnBusStatistics statistics_;
 };
 

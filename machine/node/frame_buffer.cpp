@@ -13,10 +13,14 @@ namespace {
 
 constexpr int kMaxRows = 65'536;
 
-void fill_words(std::vector<std::uint8_t>& bytes, std::uint16_t word) {
-    for (std::size_t i = 0; i < bytes.size(); i += 2) {
+// The first row word by word, the others as copies of it.
+void fill_words(std::vector<std::uint8_t>& bytes, std::size_t row, std::uint16_t word) {
+    for (std::size_t i = 0; i < row; i += 2) {
         bytes[i] = static_cast<std::uint8_t>(word & 0377U);
         bytes[i + 1] = static_cast<std::uint8_t>(word >> 8U);
+    }
+    for (std::size_t i = row; i < bytes.size(); i += row) {
+        std::copy_n(bytes.data(), row, bytes.data() + i);
     }
 }
 
@@ -45,7 +49,7 @@ FrameBuffer::FrameBuffer(isa::Core& core, const Settings& settings)
     }
     depth_.resize(static_cast<std::size_t>(settings.rows) * row_bytes());
     image_.resize(depth_.size());
-    fill_words(depth_, kFarthestDepth);
+    fill_words(depth_, row_bytes(), kFarthestDepth);
 }
 
 void FrameBuffer::keep_selected() {
@@ -77,8 +81,8 @@ void FrameBuffer::select(int row) {
 }
 
 void FrameBuffer::clear(std::uint16_t image) {
-    fill_words(depth_, kFarthestDepth);
-    fill_words(image_, image);
+    fill_words(depth_, row_bytes(), kFarthestDepth);
+    fill_words(image_, row_bytes(), image);
     if (selected_) {
         show_selected();
     }
