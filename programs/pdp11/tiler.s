@@ -79,6 +79,9 @@ next_polygon:
 begin_polygon:
         .include "tiler/polygon.s"
         .include "tiler/segment.s"
+        .if ne full
+        .include "tiler/long_run.s"
+        .endc
         .include "tiler/lead.s"
         .include "tiler/edge.s"
 

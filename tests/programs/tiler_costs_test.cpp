@@ -85,19 +85,40 @@ TEST(TilerCosts, GrowForTheSegmentsOfAnInterlaceInFullPrecision) {
     expect_at_most(measure({}, kSixteenth), 62, 85, 148, 110);
 }
 
+// Of a row of `width` pixels, drawn so many times, each but the first hidden.
+std::int64_t row_cycles(bool full, int width, int times) {
+    TilerNode node({.full = full}, kWhole, kSide, kSide);
+    const auto end = static_cast<std::int16_t>(width - 1);
+    const Polygon line{{{0, 7, 100, 0}, {end, 7, 100, 0}}};
+    node.draw(std::vector<Polygon>(static_cast<std::size_t>(times), line));
+    return node.cycles();
+}
+
+struct Difference {
+    std::int64_t drawn = 0;
+    std::int64_t hidden = 0;
+    friend bool operator==(const Difference&, const Difference&) = default;
+};
+
+// What the pixels from `shorter` to `longer` cost.
+Difference pixel_cycles(bool full, int shorter, int longer) {
+    const std::int64_t once = row_cycles(full, longer, 1) - row_cycles(full, shorter, 1);
+    const std::int64_t twice = row_cycles(full, longer, 2) - row_cycles(full, shorter, 2);
+    return {once, twice - once};
+}
+
 TEST(TilerCosts, OfAPixelAreThoseOfTheLoop) {
-    // A row of 100 pixels, then 100 of them hidden behind it.
-    for (const bool full : {true, false}) {
-        const auto cycles = [full](int width, int times) {
-            TilerNode node({.full = full}, kWhole, kSide, kSide);
-            const auto end = static_cast<std::int16_t>(width - 1);
-            const Polygon line{{{0, 7, 100, 0}, {end, 7, 100, 0}}};
-            node.draw(std::vector<Polygon>(static_cast<std::size_t>(times), line));
-            return node.cycles();
-        };
-        EXPECT_EQ(cycles(101, 1) - cycles(100, 1), full ? 23 : 13);
-        const auto hidden = [&](int width) { return cycles(width, 2) - cycles(width, 1); };
-        EXPECT_EQ(hidden(101) - hidden(100), full ? 17 : 7);
+    EXPECT_EQ(pixel_cycles(false, 3, 4), (Difference{13, 7}));
+    EXPECT_EQ(pixel_cycles(false, 100, 101), (Difference{13, 7}));
+    EXPECT_EQ(pixel_cycles(true, 3, 4), (Difference{23, 17}));
+    EXPECT_EQ(pixel_cycles(true, 100, 108), (Difference{164, 116}));  // 20.5 and 14.5
+}
+
+TEST(TilerCosts, OfARunGrowWithItsLength) {
+    for (int width = 1; width < 40; ++width) {
+        const Difference more = pixel_cycles(true, width, width + 1);
+        EXPECT_GE(more.drawn, 0) << width;
+        EXPECT_GE(more.hidden, 0) << width;
     }
 }
 

@@ -83,6 +83,8 @@ to_delta = left_deltas-left_x           ; from a value to its delta
 ; ---- the present segment: what is added from pixel to pixel
 pixel_dz:       .blkw   2
 pixel_dshade:   .blkw   1
+run_entry:      .blkw   1               ; of a long run of pixels: where its first round begins
+run_end:        .blkw   1               ; the depth word behind its last pixel
 
 ; ---- temporaries
 lag:            .blkw   1               ; from a vertex down to the present line
