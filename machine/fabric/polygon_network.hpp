@@ -39,7 +39,8 @@ struct PolygonFabricSettings {
     Duration bus_time_per_word = Duration::nanoseconds(300);
     int bus_input_fifo = 4;  // messages
     int processor_fifo = 4;  // messages that wait at a processor
-    // Over which pixels are written; none: they go straight into memory.
+    // An image word's time on the frame-buffer bus; none: no such bus, words go straight into
+    // memory.
     std::optional<Duration> frame_buffer_bus_time_per_pixel;
     Duration latency = Duration::microseconds(1);  // of every wire; at least 1 tick
     // Processors that share a part also share the set-up of its polygons:

@@ -132,13 +132,14 @@ Script two_words() {
 // Processors that run this program, all of them at the same time.
 struct WritersMachine {
     explicit WritersMachine(Duration time_per_pixel, int processors,
-                            const Script& program = two_words()) {
+                            const Script& program = two_words(), bool run_ahead = true) {
         bus = &simulation.add<FrameBufferBus>("frame_buffer_bus", time_per_pixel, processors);
         for (int i = 0; i < processors; ++i) {
             Processor::Settings settings;
             settings.node = static_cast<NodeIndex>(i);
             settings.clock = Clock::with_period(Duration::nanoseconds(100));
             settings.supervised = false;
+            settings.run_ahead = run_ahead;
             settings.frame_buffer = FrameBuffer::Settings{1, 2, true};
             writers.push_back(&simulation.add<Processor>(
                 fmt::format("node/{}", processors - i),  // the order of names is not the ports'
@@ -166,26 +167,28 @@ TEST(FrameBufferBus, TakesAWordInItsTimeWhenNobodyElseAsks) {
     }
 }
 
-TEST(FrameBufferBus, ServesThoseThatAskInTurn) {
-    WritersMachine machine(Duration::nanoseconds(300), 3);
-    EXPECT_EQ(machine.simulation.run().end, RunEnd::finished);
-    // All ask at 300 ns and have their words written at 600, 900 and 1200; they ask again at 800,
-    // 1100 and 1400, and from 1200 on the bus is never idle.
-    EXPECT_EQ(machine.writers[0]->local_time(), at_ns(1500 + 200));
-    EXPECT_EQ(machine.writers[1]->local_time(), at_ns(1800 + 200));
-    EXPECT_EQ(machine.writers[2]->local_time(), at_ns(2100 + 200));
-    const FrameBufferBusStatistics& bus = machine.bus->statistics();
-    EXPECT_EQ(bus.pixels, 6);
-    EXPECT_EQ(bus.peak_waiting, 3);
-    EXPECT_THAT(bus.waiting_of,
-                ElementsAre(Duration::nanoseconds(400), Duration::nanoseconds(300 + 400),
-                            Duration::nanoseconds(600 + 400)));
-    EXPECT_EQ(bus.waiting, Duration::nanoseconds(2100));
-    for (Processor* writer : machine.writers) {
-        writer->close_books(at_ns(2300));
+TEST(FrameBufferBus, ServesThoseThatAskInTurnHoweverTheyAreExecuted) {
+    for (const bool run_ahead : {true, false}) {
+        WritersMachine machine(Duration::nanoseconds(300), 3, two_words(), run_ahead);
+        EXPECT_EQ(machine.simulation.run().end, RunEnd::finished);
+        // All ask at 300 ns and have their words written at 600, 900 and 1200; they ask again at
+        // 800, 1100 and 1400, and from 1200 on the bus is never idle.
+        EXPECT_EQ(machine.writers[0]->local_time(), at_ns(1500 + 200));
+        EXPECT_EQ(machine.writers[1]->local_time(), at_ns(1800 + 200));
+        EXPECT_EQ(machine.writers[2]->local_time(), at_ns(2100 + 200));
+        const FrameBufferBusStatistics& bus = machine.bus->statistics();
+        EXPECT_EQ(bus.pixels, 6);
+        EXPECT_EQ(bus.peak_waiting, 3);
+        EXPECT_THAT(bus.waiting_of,
+                    ElementsAre(Duration::nanoseconds(400), Duration::nanoseconds(300 + 400),
+                                Duration::nanoseconds(600 + 400)));
+        EXPECT_EQ(bus.waiting, Duration::nanoseconds(2100));
+        for (Processor* writer : machine.writers) {
+            writer->close_books(at_ns(2300));
+        }
+        EXPECT_EQ(machine.writers[2]->statistics().in_state(NodeState::waiting_output),
+                  Duration::nanoseconds(900 + 700));
     }
-    EXPECT_EQ(machine.writers[2]->statistics().in_state(NodeState::waiting_output),
-              Duration::nanoseconds(900 + 700));
 }
 
 TEST(FrameBufferBus, LeadsToTheImageWindowOnly) {
