@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/run_report.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace rasterloom::observe {
@@ -21,6 +23,25 @@ std::string RunReport::phase_name(std::int64_t phase) const {
 
 std::string RunReport::activity_name(int activity) const {
     return name_or_number(activity_names, activity, "activity");
+}
+
+const NodeReport& RunReport::busiest() const {
+    return *std::max_element(
+        nodes.begin(), nodes.end(), [](const NodeReport& a, const NodeReport& b) {
+            return a.statistics.in_state(NodeState::busy) < b.statistics.in_state(NodeState::busy);
+        });
+}
+
+double RunReport::imbalance() const {
+    Duration sum;
+    for (const NodeReport& node : nodes) {
+        sum += node.statistics.in_state(NodeState::busy);
+    }
+    const Duration most = busiest().statistics.in_state(NodeState::busy);
+    return sum > Duration()
+               ? static_cast<double>(most.picoseconds()) * static_cast<double>(nodes.size()) /
+                     static_cast<double>(sum.picoseconds())
+               : 1;
 }
 
 std::int64_t RunReport::instructions() const {
@@ -44,6 +65,9 @@ std::int64_t RunReport::messages() const {
     for (const LinkReport& link : links) {
         sum += link.messages;
     }
+    for (const NodeReport& node : nodes) {
+        sum += links.empty() ? node.messages_received : 0;
+    }
     return sum;
 }
 
@@ -51,6 +75,9 @@ std::int64_t RunReport::bytes() const {
     std::int64_t sum = 0;
     for (const LinkReport& link : links) {
         sum += link.bytes;
+    }
+    for (const NodeReport& node : nodes) {
+        sum += links.empty() ? node.bytes_received : 0;
     }
     return sum;
 }

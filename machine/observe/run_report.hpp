@@ -3,10 +3,10 @@
 // same on any machine; how long the emulation itself took is not part of it.
 #pragma once
 
-#include "machine/observe/fabric_report.hpp"
 #include "machine/kernel/clock.hpp"
 #include "machine/kernel/time.hpp"
 #include "machine/node/node_statistics.hpp"
+#include "machine/observe/fabric_report.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -70,8 +70,8 @@ struct RunReport {
     std::vector<Time> frame_ends;
     std::vector<PhaseReport> phases;
     std::vector<NodeReport> nodes;
-    std::vector<LinkReport> links;         // of a graph
-    std::vector<FabricPartReport> fabric;  // of a machine that deals out the screen
+    std::vector<LinkReport> links;            // of a graph
+    std::vector<FabricPartReport> fabric;     // of a machine that deals out the screen
     std::vector<std::string> phase_names;     // [phase of the frame]; may be shorter
     std::vector<std::string> activity_names;  // [activity that MARK names]; may be shorter
     // Handled by the kernel: depends on how the run was sliced, so it is in no file.
@@ -82,9 +82,11 @@ struct RunReport {
     std::int64_t units(Duration duration) const {
         return clock.edge_at_or_before(Time::zero() + duration).count();
     }
+    const NodeReport& busiest() const;  // the first of those that executed longest; nodes not empty
+    double imbalance() const;           // its busy time over the mean; 1 is perfect balance
     std::int64_t instructions() const;
     std::int64_t cycles() const;
-    std::int64_t messages() const;
+    std::int64_t messages() const;  // over all links, or to all processors where there are none
     std::int64_t bytes() const;
 };
 

@@ -180,6 +180,12 @@ std::string statistics_json(const RunReport& report) {
     json["phases"] = phases_json(report);
     json["activities"] = activities_json(report);
     if (!report.fabric.empty()) {
+        const NodeReport& busiest = report.busiest();
+        json["balance"] = {{"busiest", busiest.name},
+                           {"busiest_cycles_u", busiest.statistics.cycles},
+                           {"mean_cycles_u", static_cast<double>(report.cycles()) /
+                                                 static_cast<double>(report.nodes.size())},
+                           {"busiest_over_mean", report.imbalance()}};
         json["fabric"] = fabric_json(report);
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

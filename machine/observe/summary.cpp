@@ -140,23 +140,19 @@ void add_balance(std::string& text, const RunReport& report) {
     const Duration whole = report.end.since_start();
     Duration sum;
     Duration waiting;
-    const NodeReport* busiest = &report.nodes.front();
     for (const NodeReport& node : report.nodes) {
         sum += node.statistics.in_state(NodeState::busy);
         waiting += node.statistics.in_state(NodeState::waiting_input);
-        if (node.statistics.in_state(NodeState::busy) >
-            busiest->statistics.in_state(NodeState::busy)) {
-            busiest = &node;
-        }
     }
-    const auto nodes = static_cast<std::int64_t>(report.nodes.size());
-    const Duration most = busiest->statistics.in_state(NodeState::busy);
+    const Duration all_nodes = whole * static_cast<std::int64_t>(report.nodes.size());
+    const NodeStatistics& busiest = report.busiest().statistics;
     fmt::format_to(std::back_inserter(text),
                    "Processors      busiest {}: {} cycles, busy {:.1f}% of the time; mean {:.1f}%, "
                    "so {:.3g} x the mean; {:.1f}% waiting for polygons\n",
-                   busiest->name, busiest->statistics.cycles, 100 * share(most, whole),
-                   100 * share(sum, whole * nodes), share(most * nodes, sum),
-                   100 * share(waiting, whole * nodes));
+                   report.busiest().name, busiest.cycles,
+                   100 * share(busiest.in_state(NodeState::busy), whole),
+                   100 * share(sum, all_nodes), report.imbalance(),
+                   100 * share(waiting, all_nodes));
 }
 
 void add_busiest(std::string& text, const RunReport& report) {

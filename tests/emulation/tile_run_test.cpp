@@ -158,6 +158,18 @@ TEST(TileRun, DrawsOneFrameAfterTheOther) {
     EXPECT_EQ(outcome.report.frame_ends.size(), 3U);
 }
 
+TEST(TileRun, IsNotChangedByBeingWatched) {
+    const auto description = small("hybrid16", {"fabric.half_digested=true"});
+    RunOptions watched;
+    int calls = 0;
+    watched.progress = [&](const Progress&) { ++calls; };
+    const RunOutcome with = run_machine(description, watched);
+    const RunOutcome without = run_machine(description, {});
+    EXPECT_GT(calls, 0);
+    EXPECT_EQ(observe::statistics_json(with.report), observe::statistics_json(without.report));
+    EXPECT_EQ(with.pictures, without.pictures);
+}
+
 TEST(TileRun, DrawsInThesisPrecisionAndInFewerCycles) {
     const RunOutcome full = run(small("uniprocessor"));
     const RunOutcome thesis = run(small("uniprocessor", {"nodes.symbols.full=0"}));

@@ -63,6 +63,9 @@ TEST(FabricJson, StandsBesideTheNodes) {
     RunReport report = small_run();
     EXPECT_FALSE(nlohmann::json::parse(statistics_json(report)).contains("fabric"));
     report.fabric = small_fabric();
+    const auto balance = nlohmann::json::parse(statistics_json(report))["balance"];
+    EXPECT_EQ(balance["busiest_cycles_u"], 20);
+    EXPECT_DOUBLE_EQ(balance["busiest_over_mean"], 1.5);
     const auto fabric = nlohmann::json::parse(statistics_json(report))["fabric"];
     ASSERT_EQ(fabric.size(), 3U);
     EXPECT_EQ(fabric[0]["kind"], "host");
