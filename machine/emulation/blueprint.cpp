@@ -13,6 +13,11 @@ Blueprint::Blueprint(const config::MachineDescription& machine, isa::IsaRegistry
       image(std::make_shared<const isa::Image>(load_program(isa, machine))) {
     check_keys_matter(machine, topology);
     if (topology.tiling) {
+        if (!machine.scene) {
+            throw machine.error("scene", {},
+                                "missing: a machine that deals out the screen draws one",
+                                "a scene such as scenes/runway.yaml");
+        }
         if (machine.fabric.half_digested && topology.tiling->interlaced() == 1) {
             throw machine.error("fabric.half_digested", "true",
                                 "nobody shares the set-up where each part has one processor",

@@ -128,6 +128,42 @@ INSTANTIATE_TEST_SUITE_P(Machines, ShippedTiling,
                                          "interlace256", "hybrid16", "hybrid64"),
                          [](const auto& info) { return std::string(info.param); });
 
+// "For any size, not only the thesis' ones": numbers that are no powers of two, single rows.
+TEST(TileRun, DealsOutTheScreenInOddWays) {
+    const std::vector<const char*> exact{
+        "{kind: interlace, columns: 1, rows: 4}", "{kind: interlace, columns: 3, rows: 1}",
+        "{kind: interlace, columns: 6, rows: 5}", "{kind: interlace, columns: 60, rows: 1}"};
+    const std::vector<const char*> cut{
+        "{kind: splitter_tree, columns: 3, rows: 2}", "{kind: splitter_tree, columns: 1, rows: 5}",
+        "{kind: hybrid, columns: 3, rows: 1, interlace_columns: 1, interlace_rows: 2}",
+        "{kind: hybrid, columns: 1, rows: 2, interlace_columns: 5, interlace_rows: 3}"};
+    const auto picture = [](const char* topology) {
+        return run(small("uniprocessor",
+                         {"screen={width: 60, height: 60}", std::string("topology=") + topology}));
+    };
+    for (const char* topology : exact) {
+        const RunOutcome outcome = picture(topology);
+        ASSERT_EQ(outcome.failure, "") << topology;
+        EXPECT_EQ(differing(outcome), 0U) << topology;
+    }
+    for (const char* topology : cut) {
+        const RunOutcome outcome = picture(topology);
+        ASSERT_EQ(outcome.failure, "") << topology;
+        const auto same = host::compare(outcome.pictures.at(0), outcome.references.at(0));
+        EXPECT_GE(same.all.share_within(2), 0.9) << topology;
+    }
+}
+
+// A tree far deeper than the thesis'.
+TEST(TileRun, DealsOutTheScreenToThousands) {
+    const RunOutcome outcome =
+        run(shipped("splitter256.yaml", {"topology={kind: splitter_tree, columns: 64, rows: 32}"}));
+    ASSERT_EQ(outcome.failure, "");
+    EXPECT_EQ(outcome.report.nodes.size(), 2048U);
+    const auto same = host::compare(outcome.pictures.at(0), outcome.references.at(0));
+    EXPECT_GE(same.all.share_within(2), 0.999);
+}
+
 TEST(TileRun, DrawsEveryScene) {
     for (const char* scene : {"airport", "shuttle-profile", "cargo-bay", "random"}) {
         const RunOutcome outcome = run(shipped(
@@ -267,6 +303,12 @@ TEST(TileRun, RefusesWhatTheMachineHasNoUseFor) {
     EXPECT_THAT(refusal(small("splitter4", {"scene.up=x"})),
                 HasSubstr("scene.up: has no effect here"));
     EXPECT_EQ(refusal(small("splitter4", {"links.latency=1us"})), "no error");
+}
+
+TEST(TileRun, RefusesToDrawNothing) {
+    config::MachineDescription machine = shipped("uniprocessor.yaml");
+    machine.scene.reset();
+    EXPECT_THAT(refusal(machine), HasSubstr("scene: missing"));
 }
 
 TEST(TileRun, RefusesAScreenThatCannotBeDealtOut) {
