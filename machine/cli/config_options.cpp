@@ -47,6 +47,7 @@ config::MachineDescription load(const ConfigOptions& options, const Session& ses
     };
     add("run.frames", options.frames, "--frames");
     add("run.max_time", options.max_time, "--max-time");
+    add("run.threads", options.threads, "--threads");
     const config::Locator locator = config::make_locator(session.data);
     if (!options.mesh.empty()) {
         add(mesh_key(config::load_machine(options.file, changes, locator)), options.mesh, "--mesh");

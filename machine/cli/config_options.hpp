@@ -17,6 +17,7 @@ struct ConfigOptions {
     std::string mesh;
     std::string frames;
     std::string max_time;
+    std::string threads;
 };
 
 // `options` must outlive the parsing.

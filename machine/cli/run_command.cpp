@@ -187,6 +187,10 @@ void add_run_command(CLI::App& app, Session& session) {
                      "Give up after so much machine time: run.max_time")
         ->type_name("TIME");
     command
+        ->add_option("--threads", options->config.threads,
+                     "Emulate on so many threads, or auto; changes no result: run.threads")
+        ->type_name("N");
+    command
         ->add_option("--out", options->out,
                      "Folder for the files; default: out/ and the configuration's name")
         ->type_name("DIR");

@@ -139,6 +139,7 @@ struct SceneDescription {
 struct RunDescription {
     std::int64_t frames = 1;
     Duration max_time = Duration::seconds(10);  // of the machine, all frames together
+    std::optional<std::int64_t> threads;        // of the host; none: as many as pay
 };
 
 struct MachineDescription {

@@ -151,6 +151,7 @@ void Machine::add_supervisor(const MachineDescription& description, int others) 
     settings.phases_per_frame = static_cast<int>(phases_per_frame_);
     settings.frames = static_cast<int>(description.run.frames);
     settings.nodes = static_cast<int>(processors_.size()) + others;
+    settings.pause_after_frame = true;
     supervisor_ = &simulation_.add<Supervisor>("supervisor", settings);
     for (std::size_t node = 0; node < processors_.size(); ++node) {
         supervisor_->connect(simulation_, static_cast<int>(node), *processors_[node]);

@@ -5,14 +5,18 @@
 #include "machine/emulation/appendix_c_collector.hpp"
 #include "machine/emulation/job.hpp"
 #include "machine/emulation/machine.hpp"
+#include "machine/emulation/observers.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/report.hpp"
+#include "machine/emulation/slices.hpp"
+#include "machine/emulation/threads.hpp"
 #include "machine/observe/message_csv.hpp"
 #include "machine/observe/phase_log.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,20 +32,25 @@ double seconds_since(WallClock::time_point start) {
     return std::chrono::duration<double>(WallClock::now() - start).count();
 }
 
-// Reads the picture at the very end of each frame, before the next one begins.
+// Reads the picture at the very end of each frame, before the next one begins: the supervisor
+// makes the run pause there.
 class PictureCollector final : public SupervisorListener {
   public:
     PictureCollector(const HostJob& job, const Machine& machine,
                      std::vector<host::Picture>& pictures)
         : job_(job), machine_(machine), pictures_(pictures) {}
-    void frame_ended(int, Time) override {
-        pictures_.push_back(job_.collect(machine_.processors()));
+    void frame_ended(int, Time) override { due_ = true; }
+    void collect() {
+        if (std::exchange(due_, false)) {
+            pictures_.push_back(job_.collect(machine_.processors()));
+        }
     }
 
   private:
     const HostJob& job_;
     const Machine& machine_;
     std::vector<host::Picture>& pictures_;
+    bool due_ = false;
 };
 
 // Messages take one fixed time when their bytes take none: the phases then have rounds.
@@ -50,44 +59,18 @@ std::optional<Duration> round_of(const config::LinkDescription& links) {
     return fixed ? std::optional(links.time_per_message) : std::nullopt;
 }
 
-// Runs in slices of machine time, so that progress can be told; how a run is sliced does not change
-// what happens.
-RunResult run_in_slices(Machine& machine, const MachineDescription& description,
-                        const RunOptions& options) {
-    const Time limit = Time::zero() + description.run.max_time;
-    if (!options.progress) {
-        return machine.simulation().run(limit);
-    }
-    constexpr double kTold = 0.1;  // seconds of wall time
-    Duration slice =
-        std::max(Duration::picoseconds(1),
-                 Duration::picoseconds(description.run.max_time.picoseconds() / 100'000));
-    Time until;
-    Progress progress{.now = {},
+void tell_progress(const RunOptions& options, const Machine& machine,
+                   const MachineDescription& description, Time now) {
+    Progress progress{.now = now,
                       .frame = 0,
                       .frames = description.run.frames,
                       .phase = 0,
                       .phases = machine.phases_per_frame()};
-    while (true) {
-        const auto start = WallClock::now();
-        until = std::min(limit, until + slice);
-        const RunResult result = machine.simulation().run(until);
-        if (result.end != RunEnd::limit || until == limit) {
-            return result;
-        }
-        const double took = seconds_since(start);
-        if (took < kTold / 2 && slice < description.run.max_time) {
-            slice = slice * 2;
-        } else if (took > kTold * 2 && slice > Duration::picoseconds(1)) {
-            slice = Duration::picoseconds(slice.picoseconds() / 2);
-        }
-        progress.now = until;
-        if (const Supervisor* supervisor = machine.supervisor()) {
-            progress.frame = supervisor->phase().frame;
-            progress.phase = supervisor->phase().phase;
-        }
-        options.progress(progress);
+    if (const Supervisor* supervisor = machine.supervisor()) {
+        progress.frame = std::min<std::int64_t>(supervisor->phase().frame, progress.frames - 1);
+        progress.phase = supervisor->phase().phase;
     }
+    options.progress(progress);
 }
 
 // A deadlock of thousands of nodes names the first waiting ones and counts the rest.
@@ -144,22 +127,6 @@ std::string failure_of(const RunResult& result, const MachineDescription& descri
     return {};
 }
 
-void attach(Machine& machine, observe::PhaseLog& phases, NodeListener* messages,
-            SupervisorListener* pictures) {
-    for (Processor* processor : machine.processors()) {
-        processor->probe().attach(phases);
-        if (messages != nullptr) {
-            processor->probe().attach(*messages);
-        }
-    }
-    if (machine.supervisor() != nullptr) {
-        machine.supervisor()->probe().attach(phases);
-        if (pictures != nullptr) {
-            machine.supervisor()->probe().attach(*pictures);
-        }
-    }
-}
-
 void tap(std::optional<AppendixCCollector>& collector, const RunOptions& options,
          const isa::Image& image, const topology::Topology& topology, const Machine& machine) {
     std::vector<std::string> names;
@@ -202,6 +169,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     if (job) {
         job->load(machine.processors());
         collector.emplace(*job, machine, outcome.pictures);
+        machine.supervisor()->probe().attach(*collector);
         outcome.remarks = job->remarks();
         outcome.background = job->background();
     }
@@ -210,14 +178,25 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     if (options.messages_csv) {
         messages.emplace(*options.messages_csv);
     }
-    attach(machine, phases, messages ? &*messages : nullptr, collector ? &*collector : nullptr);
+    machine.simulation().use_threads(threads_for(description, machine));
+    Observers observers(machine, phases, messages ? &*messages : nullptr);
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
     }
 
     const auto start = WallClock::now();
-    const RunResult result = run_in_slices(machine, description, options);
+    const RunResult result = run_in_slices(
+        machine.simulation(), Time::zero() + description.run.max_time,
+        options.progress || machine.simulation().partitions() > 1, [&](Time now) {
+            observers.catch_up();
+            if (collector) {
+                collector->collect();
+            }
+            if (options.progress) {
+                tell_progress(options, machine, description, now);
+            }
+        });
     outcome.wall_seconds = seconds_since(start);
 
     outcome.failure = failure_of(result, description, machine);

@@ -85,6 +85,9 @@ void Supervisor::end_phase() {
     if (frame_over) {
         probe_.tell(
             [this](SupervisorListener& listener) { listener.frame_ended(current_.frame, now()); });
+        if (settings_.pause_after_frame) {
+            scheduler().pause_before(now() + up());
+        }
     }
     over_ = frame_over && current_.frame + 1 == settings_.frames;
     const Duration down = settings_.latency - up();

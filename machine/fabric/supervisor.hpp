@@ -44,8 +44,8 @@ class SupervisorListener {
   public:
     virtual ~SupervisorListener() = default;
     virtual void phase_ended(const PhaseRecord&) {}
-    // After phase_ended of the frame's last phase: every program has done its work, and its memory
-    // is what it left.
+    // After phase_ended of the frame's last phase: every program has done its work. (Its memory can
+    // be looked at only while the simulation does not run: Supervisor::Settings.)
     virtual void frame_ended(int /*frame*/, Time) {}
 };
 
@@ -56,6 +56,9 @@ class Supervisor final : public Component {
         int phases_per_frame = 1;                      // at least 1
         int frames = 1;                                // at least 1
         int nodes = 1;                                 // at least 1
+        // Simulation::run() comes back at the end of each frame, before any node can see the next
+        // phase: so the machine can be looked at as the frame left it.
+        bool pause_after_frame = false;
     };
 
     // Throws std::invalid_argument when a setting is out of range.
@@ -73,6 +76,7 @@ class Supervisor final : public Component {
 
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
+    bool stands_apart() const override { return true; }
 
   private:
     void end_phase();

@@ -32,12 +32,26 @@ class Component {
     // What the component waits for ("a message at port 3"), if it is not content to stop here: read
     // when no event is left.
     virtual std::optional<std::string> waits_for() const { return std::nullopt; }
+    // Goes on with work that was put off (Scheduler::put_off): a part of it, which puts off the
+    // rest, or to the end.
+    virtual void work_ahead(bool /*to_the_end*/) {}
+
+    // For dealing components out to threads. How much work a component is, beside others...
+    virtual int weight() const { return 1; }
+    // ...and whether it is wired to so many that it had better have a queue of its own: else it
+    // holds up everything that shares its partition.
+    virtual bool stands_apart() const { return false; }
 
   protected:
     // Ports are made before the machine is sealed, normally in the constructor. They count from 0.
     // One that may stay open keeps its number where there is nothing to join it with; nothing may
     // be sent over it then.
     PortIndex add_port(std::string port_name, bool may_stay_open = false);
+    // Promises that what is sent at this port departs at least `delay` after the time at which the
+    // component is given the event that makes it send. Before the machine is sealed.
+    void promise_delay(PortIndex port, Duration delay) {
+        ports_[static_cast<std::size_t>(port)].least_delay_ = delay;
+    }
 
     Scheduler& scheduler() { return *scheduler_; }
     const Scheduler& scheduler() const { return *scheduler_; }
@@ -47,9 +61,14 @@ class Component {
     // wire latency after that.
     void send(PortIndex port, EventKind kind, std::uint64_t payload, Time departure) {
         const Port& from = ports_[static_cast<std::size_t>(port)];
-        scheduler_->push(
-            {make_event_key(departure + from.latency_, EventPhase::arrival, from.peer_, id_),
-             sequence_++, kind, from.peer_port_, payload});
+        const Event event{
+            make_event_key(departure + from.latency_, EventPhase::arrival, from.peer_, id_),
+            sequence_++, kind, from.peer_port_, payload};
+        if (from.mailbox_ == nullptr) {
+            scheduler_->push(event);
+        } else {
+            scheduler_->post(*from.mailbox_, event);
+        }
     }
 
     // Calls handle() at `time`, now or later, with an event in phase work.

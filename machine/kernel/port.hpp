@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A port: a component's end of a wire. A wire joins two ports; what one sends reaches the other one
 // wire latency later, and that is at least one tick. Partitions may be cut at wires: the least
-// latency across the cut is their lookahead.
+// latency across the cut, and what a component says it takes before it sends, is their lookahead.
 #pragma once
 
 #include "machine/kernel/event.hpp"
@@ -10,6 +10,8 @@
 #include <utility>
 
 namespace rasterloom {
+
+class Mailbox;
 
 class Port {
   public:
@@ -20,7 +22,9 @@ class Port {
     bool may_stay_open() const { return may_stay_open_; }  // a machine without a wire here is whole
     bool connected() const { return latency_ > Duration(); }
     Duration latency() const { return latency_; }  // of the wire, from here to the peer
-    ComponentId peer() const { return peer_; }     // once the machine is sealed
+    // From what makes the component send here to the arrival at the peer, at least.
+    Duration lookahead() const { return latency_ + least_delay_; }
+    ComponentId peer() const { return peer_; }  // once the machine is sealed
     PortIndex peer_port() const { return peer_port_; }
 
   private:
@@ -30,6 +34,8 @@ class Port {
     std::string name_;
     bool may_stay_open_;
     Duration latency_;
+    Duration least_delay_;
+    Mailbox* mailbox_ = nullptr;  // of the peer's partition; none: it is in this one
     ComponentId peer_{};
     PortIndex peer_port_{};
 };

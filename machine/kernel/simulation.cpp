@@ -28,20 +28,9 @@ PortIndex Component::add_port(std::string port_name, bool may_stay_open) {
     return static_cast<PortIndex>(ports_.size() - 1);
 }
 
-void Scheduler::report_event_in_the_past(const Event& event) const {
-    const auto name = [this](ComponentId id) -> const std::string& {
-        return (*components_)[static_cast<std::size_t>(id)]->name();
-    };
-    throw InvariantError(current_.time, name(event.source()),
-                         "sends an event to " + name(event.target()) + " for " +
-                             to_string(event.time()) + ", which is before what happens now");
-}
-
-void Scheduler::fail(std::shared_ptr<const Failure> failure) {
-    if (failure_ == nullptr) {
-        failure_ = std::move(failure);
-    }
-    stop_requested_ = true;
+Simulation::Simulation() {
+    schedulers_.push_back(std::make_unique<Scheduler>());
+    schedulers_[0]->components_ = &components_;
 }
 
 void Simulation::require_open(const std::string& action) const {
@@ -110,8 +99,13 @@ void Simulation::seal() {
     }
     for (std::size_t id = 0; id < components_.size(); ++id) {
         components_[id]->id_ = static_cast<ComponentId>(id);
-        components_[id]->scheduler_ = &scheduler_;
+        components_[id]->scheduler_ = schedulers_[0].get();
     }
+    join_wires();
+    sealed_ = true;
+}
+
+void Simulation::join_wires() {
     for (const Wire& wire : wires_) {
         for (std::size_t here = 0; here < 2; ++here) {
             const std::size_t there = 1 - here;
@@ -124,8 +118,6 @@ void Simulation::seal() {
             port.peer_port_ = wire.port[there];
         }
     }
-    scheduler_.components_ = &components_;
-    sealed_ = true;
 }
 
 void Simulation::start_components() {
@@ -135,34 +127,86 @@ void Simulation::start_components() {
     }
 }
 
+Time Simulation::now() const {
+    Time now;
+    for (const auto& scheduler : schedulers_) {
+        now = std::max(now, scheduler->now());
+    }
+    return now;
+}
+
+std::uint64_t Simulation::events_handled() const {
+    std::uint64_t sum = 0;
+    for (const auto& scheduler : schedulers_) {
+        sum += scheduler->events_handled_;
+    }
+    return sum;
+}
+
 RunResult Simulation::run(Time limit) {
     if (!sealed_) {
         throw WiringError("run: the machine is not sealed yet");
     }
-    scheduler_.bound_ = limit == Time::never() ? kNoEvent : EventKey{limit, 0};
-    scheduler_.stop_requested_ = scheduler_.failure_ != nullptr;
+    const EventKey limit_key = limit == Time::never() ? kNoEvent : EventKey{limit, 0};
+    for (const auto& scheduler : schedulers_) {
+        scheduler->begin_run(limit_key);
+    }
     if (!started_) {
         start_components();
     }
-    EventQueue& queue = scheduler_.queue_;
-    while (!scheduler_.stop_requested_ && queue.next_key() < scheduler_.bound_) {
-        const Event event = queue.pop();
-        scheduler_.current_ = event.key;
-        ++events_handled_;
-        components_[static_cast<std::size_t>(event.target())]->handle(event);
+    if (failed_) {
+        return *failed_;
     }
-    return conclude(limit);
+    if (rounds_) {
+        rounds_->run();
+    } else {
+        run_alone();
+    }
+    const RunResult result = conclude(limit_key);
+    if (result.end == RunEnd::failed) {
+        failed_ = result;
+    }
+    return result;
 }
 
-RunResult Simulation::conclude(Time limit) {
-    if (scheduler_.failure_ != nullptr) {
-        return {RunEnd::failed, now(), scheduler_.failure_};
+// Without private work put off: nobody waits for this partition.
+void Simulation::run_alone() {
+    Scheduler& scheduler = *schedulers_[0];
+    while (!scheduler.stop_requested_ && scheduler.queue_.next_key() < scheduler.bound_) {
+        scheduler.handle_next();
     }
-    if (scheduler_.stop_requested_) {
-        return {RunEnd::stopped, now(), nullptr};
+}
+
+// The run has ended because somebody asked for it. Of several, what comes first counts: it would
+// have kept the others from happening.
+RunResult Simulation::ended_early(EventKey limit) const {
+    const Scheduler* first = nullptr;
+    for (const auto& scheduler : schedulers_) {
+        if (scheduler->stop_requested_ &&
+            (first == nullptr || scheduler->stopped_at_ < first->stopped_at_)) {
+            first = scheduler.get();
+        }
     }
-    if (!scheduler_.queue_.empty()) {
-        return {RunEnd::limit, limit, nullptr};
+    if (first != nullptr) {
+        return {first->failure_ != nullptr ? RunEnd::failed : RunEnd::stopped,
+                first->stopped_at_.time, first->failure_};
+    }
+    EventKey end = limit;
+    for (const auto& scheduler : schedulers_) {
+        end = std::min(end, scheduler->limit_);
+    }
+    return {end < limit ? RunEnd::paused : RunEnd::limit, end.time, nullptr};
+}
+
+RunResult Simulation::conclude(EventKey limit) {
+    bool stopped = false;
+    bool empty = !rounds_ || !rounds_->has_mail();
+    for (const auto& scheduler : schedulers_) {
+        stopped = stopped || scheduler->stop_requested_;
+        empty = empty && scheduler->next_key() == kNoEvent;
+    }
+    if (stopped || !empty) {
+        return ended_early(limit);
     }
     std::vector<Deadlock::Waiter> waiters;
     for (const auto& component : components_) {
@@ -173,8 +217,7 @@ RunResult Simulation::conclude(Time limit) {
     if (waiters.empty()) {
         return {RunEnd::finished, now(), nullptr};
     }
-    scheduler_.failure_ = std::make_shared<Deadlock>(now(), std::move(waiters));
-    return {RunEnd::failed, now(), scheduler_.failure_};
+    return {RunEnd::failed, now(), std::make_shared<Deadlock>(now(), std::move(waiters))};
 }
 
 }  // namespace rasterloom

@@ -4,10 +4,13 @@
 #pragma once
 
 #include "machine/kernel/component.hpp"
+#include "machine/kernel/partition.hpp"
+#include "machine/kernel/rounds.hpp"
 
 #include <concepts>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,18 +20,21 @@ namespace rasterloom {
 enum class RunEnd : std::uint8_t {
     finished,  // no event is left and nobody waits
     limit,     // the next event lies at or beyond the limit
+    paused,    // a component asked for a pause: run() goes on from here
     stopped,   // a component asked for the end
     failed,    // deadlock or guest error: see RunResult::failure
 };
 
 struct RunResult {
     RunEnd end = RunEnd::finished;
-    Time time;  // of the last event handled; the limit for RunEnd::limit
+    Time time;  // of the last event handled; where it ended for RunEnd::limit and RunEnd::paused
     std::shared_ptr<const Failure> failure;
 };
 
 class Simulation {
   public:
+    Simulation();
+
     // Makes a component inside the machine, which owns it. Throws WiringError once sealed.
     template <std::derived_from<Component> T, class... Arguments>
     T& add(Arguments&&... arguments) {
@@ -47,12 +53,20 @@ class Simulation {
     void seal();
     bool sealed() const { return sealed_; }
 
+    // Has run() use so many threads, at least 1, as far as the machine can be divided. Nothing that
+    // happens depends on it, but listeners that are attached to components of different partitions
+    // are called from different threads. Throws WiringError before seal() and after run().
+    void use_threads(std::size_t threads);
+    // The partitions the machine is divided into, 1 unless threads are used.
+    std::size_t partitions() const { return schedulers_.size(); }
+    std::size_t partition_of(const Component& component) const;
+
     // Handles every event before `limit`, in order. Can be called again to go on: where a run is
     // cut does not change what happens. Throws WiringError before seal().
     RunResult run(Time limit = Time::never());
 
-    Time now() const { return scheduler_.now(); }
-    std::uint64_t events_handled() const { return events_handled_; }
+    Time now() const;
+    std::uint64_t events_handled() const;
     const std::vector<std::unique_ptr<Component>>& components() const { return components_; }
 
   private:
@@ -65,15 +79,21 @@ class Simulation {
     void require_open(const std::string& action) const;
     void check_end(const Component& component, PortIndex port) const;
     void check_ports_connected() const;
+    void join_wires();
+    void divide(const PartitionPlan& plan, LookaheadTable lookaheads);
+    PartitionProblem problem(std::size_t threads) const;
     void start_components();
-    RunResult conclude(Time limit);
+    void run_alone();
+    RunResult conclude(EventKey limit);
+    RunResult ended_early(EventKey limit) const;
 
-    Scheduler scheduler_;
+    std::vector<std::unique_ptr<Scheduler>> schedulers_;  // one a partition; one until divided
+    std::unique_ptr<Rounds> rounds_;                      // of several partitions
     std::vector<std::unique_ptr<Component>> components_;  // once sealed, in the order of ids
     std::vector<Wire> wires_;
     bool sealed_ = false;
     bool started_ = false;
-    std::uint64_t events_handled_ = 0;
+    std::optional<RunResult> failed_;  // for good
 };
 
 }  // namespace rasterloom

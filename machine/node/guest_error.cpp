@@ -17,11 +17,7 @@ std::string GuestError::message() const {
     if (details_.source) {
         text += fmt::format(", {}:{}", details_.source->file, details_.source->line);
     }
-    text += "\n ";
-    if (details_.found_at) {
-        text += fmt::format(" (found out when the program had come to {})",
-                            format_word(*details_.found_at, details_.radix));
-    }
+    text += details_.registers.empty() ? "" : "\n ";
     for (const auto& [name, value] : details_.registers) {
         text += fmt::format(" {}={}", name, format_word(value, details_.radix));
     }

@@ -22,11 +22,9 @@ class GuestError final : public Failure {
         std::int64_t cycle = 0;             // of the node's clock, stalls included
         std::uint32_t program_counter = 0;  // of the instruction that did it
         std::optional<isa::SourceLocation> source;
-        std::vector<std::pair<std::string, std::uint32_t>> registers;
+        std::vector<std::pair<std::string, std::uint32_t>> registers;  // empty: not known any more
         int radix = 8;     // in which the machine's people write addresses: 8 or 16
         std::string what;  // "odd address 000123"
-        // Where the program stands now when the error came out later: the registers are of then.
-        std::optional<std::uint32_t> found_at;
     };
     GuestError(Time time, std::string component, Details details)
         : Failure(time, std::move(component)), details_(std::move(details)) {}

@@ -18,6 +18,10 @@ constexpr std::int64_t kSlice = 65'536;
 constexpr int kMaxAdvances = 4'096;
 // Where a cost model makes instructions free, a program may loop for ever at one time.
 constexpr int kMaxStepsInNoTime = 1'000'000;
+// Cycles of a slice put off that are executed at a time: few at first, so that the next access is
+// soon known; then more, so that the way to and fro costs nothing.
+constexpr std::int64_t kFirstPart = 32;
+constexpr std::int64_t kLargestPart = 4'096;
 
 }  // namespace
 
@@ -59,6 +63,12 @@ void Processor::handle(const Event& event) {
 // Executes until control has to go back to the event queue.
 void Processor::proceed() {
     advances_ = 0;
+    slice_left_ = kSlice;
+    execute();
+    meter_.count(core_->instructions_retired(), cycles_executed_);
+}
+
+void Processor::execute() {
     bool going = true;
     while (going) {
         switch (next_) {
@@ -85,18 +95,50 @@ void Processor::proceed() {
                 break;
         }
     }
-    meter_.count(core_->instructions_retired(), cycles_executed_);
+}
+
+bool Processor::put_off_slice() {
+    slice_put_off_ = true;
+    scheduler().put_off(own_key(local_time_));
+    return false;
+}
+
+void Processor::work_ahead(bool to_the_end) {
+    if (to_the_end) {
+        finish_slice();
+        return;
+    }
+    if (std::exchange(slice_put_off_, false)) {
+        works_ahead_ = true;
+        execute();
+        works_ahead_ = false;
+    }
+}
+
+void Processor::finish_slice() {
+    if (slice_put_off_) {
+        part_ = kSlice;
+        work_ahead(false);
+    }
+}
+
+int Processor::weight() const {
+    return 100;  // next to a link
 }
 
 // Lets everything that happens before the processor's own time happen. True when nothing does; else
 // the processor has to give up control, and will be given it back at that time.
 bool Processor::reach_local_time() {
-    if (now() == local_time_) {
-        return true;
-    }
-    if (settings_.run_ahead && ++advances_ < kMaxAdvances &&
-        scheduler().advance_to(own_key(local_time_))) {
-        return true;
+    if (!works_ahead_) {
+        if (now() == local_time_) {
+            slice_left_ = kSlice;
+            return true;
+        }
+        if (settings_.run_ahead && ++advances_ < kMaxAdvances &&
+            scheduler().advance_to(own_key(local_time_))) {
+            slice_left_ = kSlice;
+            return true;
+        }
     }
     wake_at(local_time_, 0);
     return false;
@@ -107,7 +149,7 @@ std::int64_t Processor::budget() const {
         return 1;
     }
     if (enabled_interrupts_ == 0) {
-        return kSlice;
+        return works_ahead_ ? std::min(part_, slice_left_) : slice_left_;
     }
     // The next event anywhere can reach this node one tick later at the earliest; one that reaches
     // it now has come already.
@@ -123,6 +165,7 @@ void Processor::spend(std::int64_t cycles) {
     if (cycles > 0) {
         cycle_ += cycles;
         cycles_executed_ += cycles;
+        slice_left_ -= cycles;
         local_time_ = settings_.clock.edge(Cycles(cycle_));
         steps_in_no_time_ = 0;
     }
@@ -131,6 +174,14 @@ void Processor::spend(std::int64_t cycles) {
 bool Processor::run_private_instructions() {
     if (enabled_interrupts_ > 0 && !reach_local_time()) {
         return false;
+    }
+    if (enabled_interrupts_ == 0 && slice_left_ <= 0) {
+        return reach_local_time();
+    }
+    if (!works_ahead_ && enabled_interrupts_ == 0 && settings_.run_ahead &&
+        scheduler().puts_work_off()) {
+        part_ = kFirstPart;
+        return put_off_slice();
     }
     interrupt_requested_ = false;
     return settle(core_->run(budget()));
@@ -184,6 +235,10 @@ bool Processor::settle(const isa::Stop& stop) {
             if (next_ == Next::step) {  // an access, not a slice: private instructions follow
                 next_ = Next::run;
                 return true;
+            }
+            if (works_ahead_ && slice_left_ > 0) {
+                part_ = std::min(2 * part_, kLargestPart);
+                return put_off_slice();
             }
             break;
         case isa::StopReason::tap:
@@ -319,6 +374,7 @@ void Processor::handle_message(const Event& event) {
 }
 
 void Processor::handle_phase(std::uint16_t phase) {
+    finish_slice();  // its instructions are counted to the phase in which it began
     phase_ = phase;
     if (phase != kRunOver) {
         meter_.begin_phase(now(), kind_of_stall(), core_->instructions_retired());
@@ -334,19 +390,16 @@ bool Processor::report_guest_error(std::string what, std::uint32_t program_count
     return reach_local_time();
 }
 
-GuestError::Details Processor::details(std::uint32_t program_counter, std::string what) const {
+GuestError::Details Processor::details(std::int64_t cycle, std::uint32_t program_counter,
+                                       std::string what) const {
     GuestError::Details details;
     details.node = settings_.node;
-    details.cycle = cycle_;
+    details.cycle = cycle;
     details.program_counter = program_counter;
     if (settings_.image != nullptr) {
         if (const auto* source = settings_.image->source_of(program_counter)) {
             details.source = *source;
         }
-    }
-    for (std::size_t i = 0; i < settings_.register_names.size(); ++i) {
-        details.registers.emplace_back(settings_.register_names[i],
-                                       core_->reg(static_cast<int>(i)));
     }
     details.radix = settings_.radix;
     details.what = std::move(what);
@@ -356,15 +409,18 @@ GuestError::Details Processor::details(std::uint32_t program_counter, std::strin
 void Processor::fail() {
     next_ = Next::nothing;
     meter_.halt(local_time_);
-    scheduler().fail(std::make_shared<GuestError>(local_time_, name(), details(error_at_, error_)));
+    GuestError::Details found = details(cycle_, error_at_, error_);
+    for (std::size_t i = 0; i < settings_.register_names.size(); ++i) {
+        found.registers.emplace_back(settings_.register_names[i], core_->reg(static_cast<int>(i)));
+    }
+    scheduler().fail(std::make_shared<GuestError>(local_time_, name(), std::move(found)));
 }
 
 std::shared_ptr<const GuestError> Processor::mistake(Time time, std::uint32_t program_counter,
                                                      std::string what) const {
-    GuestError::Details found = details(program_counter, std::move(what));
-    found.cycle = settings_.clock.edge_at_or_after(time).count();
-    found.found_at = core_->program_counter();
-    return std::make_shared<GuestError>(time, name(), std::move(found));
+    return std::make_shared<GuestError>(
+        time, name(),
+        details(settings_.clock.edge_at_or_after(time).count(), program_counter, std::move(what)));
 }
 
 void Processor::close_books(Time end) {

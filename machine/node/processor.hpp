@@ -12,6 +12,10 @@
 // earliest time at which anything else happens. A slice of the budget bounds every run, so that the
 // event loop sees even a program that loops for ever. None of this changes what is computed, or
 // when.
+//
+// Where several partitions run at once, a slice is put off as soon as it begins: its thread first
+// does what others may be waiting for, then goes on with slices, in small parts. Nobody can see
+// whether a slice has been executed already: whoever could has it finished first.
 #pragma once
 
 #include "isa/core.hpp"
@@ -82,13 +86,15 @@ class Processor final : public Component, private isa::Bus {
     // What the processor is at, for a person; none when the program has halted.
     std::optional<std::string> activity() const;
     // A mistake of the program that somebody else found: the instruction at `program_counter` made
-    // it at `time`. The registers are those of now.
+    // it at `time`. The registers have changed since and are left out.
     std::shared_ptr<const GuestError> mistake(Time time, std::uint32_t program_counter,
                                               std::string what) const;
 
     void start() override;
     void handle(const Event& event) override;
+    void work_ahead(bool to_the_end) override;
     std::optional<std::string> waits_for() const override;
+    int weight() const override;
 
   private:
     // What the processor does when it next has control.
@@ -98,6 +104,9 @@ class Processor final : public Component, private isa::Bus {
 
     // processor.cpp: events and the loop of execution.
     void proceed();
+    void execute();
+    void finish_slice();
+    bool put_off_slice();
     bool run_private_instructions();
     bool step_io_instruction();
     bool settle(const isa::Stop& stop);
@@ -114,7 +123,8 @@ class Processor final : public Component, private isa::Bus {
     void resume();
     bool report_guest_error(std::string what, std::uint32_t program_counter);
     void fail();
-    GuestError::Details details(std::uint32_t program_counter, std::string what) const;
+    GuestError::Details details(std::int64_t cycle, std::uint32_t program_counter,
+                                std::string what) const;
     std::string place(std::uint32_t program_counter) const;
 
     // processor_io.cpp: the registers.
@@ -163,6 +173,10 @@ class Processor final : public Component, private isa::Bus {
     std::int64_t cycles_executed_ = 0;
     Time local_time_;   // of that edge
     int advances_ = 0;  // without the event queue, since the processor was last given control
+    std::int64_t slice_left_ = 0;  // cycles that may be executed before the others catch up
+    std::int64_t part_ = 0;        // cycles of a slice put off to be executed next
+    bool slice_put_off_ = false;
+    bool works_ahead_ = false;  // has no exact time: what needs one waits for an event
     int enabled_interrupts_ = 0;
     bool interrupt_requested_ = false;  // since the core last ran
 
