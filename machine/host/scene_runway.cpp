@@ -8,15 +8,17 @@
 // the horizon is at y = 304. The 73-line polygon starts with a point at y = 207 in section (3, 1)
 // and grows by 2 5/8 pixels a line up to y = 249, then shrinks to half of that at y = 279: a
 // rectangle on the ground, an apron beside the runway. 5008 pixels beside the runway have more than
-// the ground, 293 of them three layers or more: so the remaining 245 polygons, 756 segments
-// together, are heaped upon some 350 pixels, nearly all of them on the apron. Their heights, 15
-// lines at most, with the lines that each interlace processor has of them, put them on y = 253 to
-// 267; that processor 7 of the 16-splitter sees 48 of them, three lines high at most, agrees. It is
-// a shuttle of 46 by 15 pixels.
+// the ground, and only 293 of the screen have three layers or more: so the remaining 245 polygons,
+// 756 segments together, are heaped upon some 350 pixels, most of them on the apron. Their heights,
+// 15 lines at most, with the lines that each interlace processor has of them, put them on y = 253
+// to 267; that processor 7 of the 16-splitter sees 48 of them, three lines high at most, agrees. It
+// is a shuttle of 53 by 15 pixels.
 //
-// What is free: the shuttle's outline and the polygons' places in it. They have been searched for
-// by scripts/fit_runway/. The thesis' lower right quadrant has 21 polygons of a single point
-// more than the processor of its corner; here these are the nose wheel, left of x = 384.
+// What is free: the shuttle's outline and the polygons' places in it, searched for by
+// scripts/fit_runway/. What C.1 lists legibly of small segments is one short in number, and 35 in
+// pixels: here that is one of 6 pixels more than the scan shows, and one of 29 where it cannot be
+// read. The thesis' lower right quadrant has 21 polygons of a single point more than the processor
+// of its corner; here these are the nose wheel, left of x = 384.
 #include "machine/host/scene_makers.hpp"
 #include "machine/host/scene_runway_table.hpp"
 

@@ -28,17 +28,14 @@ constexpr std::array kPaints{Paint{"white", 0.95},    Paint{"black", 0.3}, Paint
 constexpr double kUnknownAlbedo = 0.8;
 constexpr double kAmbient = 0.35;
 
-const glm::dvec3& sun() {
-    static const glm::dvec3 direction = glm::normalize(glm::dvec3(-0.45, 0.4, 0.8));
-    return direction;
-}
+constexpr glm::dvec3 kSun{-0.45, 0.4, 0.8};  // direction towards it
 
 double albedo_of(std::string_view surface) {
     const auto* const paint = std::ranges::find(kPaints, surface, &Paint::surface);
     return paint == kPaints.end() ? kUnknownAlbedo : paint->albedo;
 }
 
-// Newell's: of polygons that are not quite flat, too.
+// The mean one where a polygon is not quite flat.
 glm::dvec3 normal_of(std::span<const StageCorner> corners) {
     glm::dvec3 normal{0, 0, 0};
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -53,6 +50,7 @@ glm::dvec3 normal_of(std::span<const StageCorner> corners) {
 void Stage::add_mesh(const Mesh& mesh, const Placement& placement) {
     const double c = topology::cos_degrees(placement.heading);
     const double s = topology::sin_degrees(placement.heading);
+    const auto sun = glm::normalize(kSun);
     for (const auto& face : mesh.polygons) {
         auto& polygon = polygons_.emplace_back();
         polygon.depth_offset = placement.depth_offset;
@@ -64,7 +62,7 @@ void Stage::add_mesh(const Mesh& mesh, const Placement& placement) {
         const double albedo = face.surface < mesh.surface_names.size()
                                   ? albedo_of(mesh.surface_names[face.surface])
                                   : kUnknownAlbedo;
-        const double lit = std::max(0.0, glm::dot(normal_of(polygon.corners), sun()));
+        const double lit = std::max(0.0, glm::dot(normal_of(polygon.corners), sun));
         for (auto& corner : polygon.corners)
             corner.grey = 255 * albedo * (kAmbient + (1 - kAmbient) * lit);
     }
