@@ -4,7 +4,7 @@
 namespace rasterloom::emulation {
 
 PolygonFabricSettings fabric_settings(const config::MachineDescription& machine,
-                                      std::int64_t phases_per_frame) {
+                                      const isa::Image& program, std::int64_t phases_per_frame) {
     const config::FabricDescription& fabric = machine.fabric;
     PolygonFabricSettings settings;
     settings.ideal = fabric.ideal;
@@ -22,6 +22,7 @@ PolygonFabricSettings fabric_settings(const config::MachineDescription& machine,
     settings.latency = fabric.latency;
     settings.half_digested = fabric.half_digested;
     settings.digest_output_queue = static_cast<int>(fabric.digest_fifo);
+    settings.unit = static_cast<int>(program.symbol("subpixels").value_or(1));
     settings.phases_per_frame = static_cast<int>(phases_per_frame);
     return settings;
 }

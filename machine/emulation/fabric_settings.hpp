@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The description's fabric.* and host.* as the fabric takes them.
+// The description's fabric.* and host.* as the fabric takes them; the unit of places in messages is
+// the program's `subpixels`, whole pixels without.
 #pragma once
 
+#include "isa/image.hpp"
 #include "machine/config/description.hpp"
 #include "machine/fabric/polygon_network.hpp"
 
 namespace rasterloom::emulation {
 
 PolygonFabricSettings fabric_settings(const config::MachineDescription& machine,
-                                      std::int64_t phases_per_frame);
+                                      const isa::Image& program, std::int64_t phases_per_frame);
 
 }  // namespace rasterloom::emulation

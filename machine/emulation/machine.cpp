@@ -105,7 +105,8 @@ void Machine::build_graph(const Blueprint& blueprint) {
 
 void Machine::build_fabric(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons) {
     const MachineDescription& description = blueprint.description;
-    const PolygonFabricSettings fabric = fabric_settings(description, phases_per_frame_);
+    const PolygonFabricSettings fabric =
+        fabric_settings(description, *blueprint.image, phases_per_frame_);
     add_processors(blueprint, [&](std::size_t node) {
         Processor::Settings settings = processor_settings(blueprint);
         settings.supervised = true;

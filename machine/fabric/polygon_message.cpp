@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machine/fabric/polygon_message.hpp"
 
+#include <stdexcept>
+
+#include <fmt/format.h>
+
 namespace rasterloom {
 
 namespace {
@@ -26,12 +30,19 @@ void put_header(std::vector<std::uint8_t>& bytes, PolygonMessage kind, std::uint
 
 }  // namespace
 
+void check_polygon_unit(const std::string& name, int unit) {
+    if (unit != 1 && unit != kSubpixels) {
+        throw std::invalid_argument(fmt::format(
+            "{}: {} units of x and y to a pixel, expected 1 or {}", name, unit, kSubpixels));
+    }
+}
+
 void write_polygon(std::vector<std::uint8_t>& bytes, std::span<const PolygonVertex> outline,
-                   std::uint8_t hops) {
+                   std::uint8_t hops, int scale) {
     put_header(bytes, PolygonMessage::polygon, hops, static_cast<int>(outline.size()));
     for (const PolygonVertex& vertex : outline) {
-        put_word(bytes, vertex.x);
-        put_word(bytes, vertex.y);
+        put_word(bytes, vertex.x * scale);
+        put_word(bytes, vertex.y * scale);
         put_word(bytes, vertex.z);
         put_word(bytes, vertex.shade);
     }

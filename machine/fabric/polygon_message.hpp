@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rasterloom {
@@ -15,9 +16,14 @@ inline constexpr std::size_t kPolygonVertexBytes = 8;
 inline constexpr std::size_t kMaxPolygonMessageBytes =
     kPolygonHeaderBytes + kMaxCutVertices * kPolygonVertexBytes;
 
-// Writes the message of a polygon of at least one vertex over `bytes`.
+// Throws std::invalid_argument, beginning with `name`, unless a message's x and y can have this
+// unit: 1 or kSubpixels to a pixel.
+void check_polygon_unit(const std::string& name, int unit);
+
+// Writes the message of a polygon of at least one vertex over `bytes`, x and y multiplied by
+// `scale`: 1, or the messages' unit when the polygon is in whole pixels.
 void write_polygon(std::vector<std::uint8_t>& bytes, std::span<const PolygonVertex> outline,
-                   std::uint8_t hops);
+                   std::uint8_t hops, int scale = 1);
 // Likewise that of the end of a frame; `word` is its word 1.
 void write_end_of_frame(std::vector<std::uint8_t>& bytes, std::uint8_t hops,
                         std::uint16_t word = 0);

@@ -27,6 +27,7 @@ PolygonSplitter::PolygonSplitter(std::string name, const SplitterSettings& setti
         throw std::invalid_argument(
             fmt::format("{}: a FIFO holds at least 1 polygon", this->name()));
     }
+    check_polygon_unit(this->name(), settings.unit);
     add_port("input");
     add_port("low");
     add_port("high");
@@ -73,7 +74,7 @@ void PolygonSplitter::begin() {
         high.part.clear();
         low.gets = high.gets = true;
     } else {
-        cut_polygon(outline_, settings_.axis, settings_.line, low.part, high.part);
+        cut_polygon(outline_, settings_.axis, settings_.line, low.part, high.part, settings_.unit);
         low.gets = !low.part.empty();
         high.gets = !high.part.empty();
         ++statistics_.polygons;

@@ -30,6 +30,7 @@ namespace rasterloom {
 struct SplitterSettings {
     topology::CutAxis axis = topology::CutAxis::x;
     int line = 0;                                           // the first coordinate of the high side
+    int unit = 1;                                           // 1 or kSubpixels: of messages, a pixel
     Duration time_per_vertex = Duration::nanoseconds(600);  // at least 0
     int input_fifo = 4;                                     // messages; at least 1
     int output_fifo = 4;                                    // messages, each; at least 1

@@ -7,7 +7,7 @@
 // the lowest vertex, a side stands
 //     at its first vertex on that line, if it has one there (exactly that vertex' x, z, s);
 //     else on its edge from a, the last vertex above the line, to b, the next one (below it).
-// With n = a.y - b.y and k = a.y - y, each of x, z and s there is
+// With n = a.y - b.y and k = a.y - y, in lines, each of x, z and s there is
 //     full:    (v_a * 2^16 + 2^15 + 2 * k * q) >> 16,  q = (v_b - v_a) * 2^15 / n
 //     thesis:  v_a + k * q,                            q = (v_b - v_a) / n
 // where / cuts towards zero and >> rounds down. So with xl, zl, sl and xr, zr, sr: the pixels from
@@ -15,6 +15,14 @@
 // follow from (zl, zr) and (sl, sr) by the same formulas (n = 0: zl and sl). A covered pixel is
 // drawn when its depth is less than what stands there; at first that is kClearedDepth. The grey
 // level is shade / kShadeUnit, rounded down.
+//
+// Vertices between pixels: what splitters have cut stands on multiples of 1/32 (kSubpixels) pixel,
+// in full precision. The lines are those between the highest and the lowest vertex, ends included;
+// n and k are then multiples of 1/32 line, with n >= 1 the formula is
+//     full:    (v_a * 2^16 + 2^15 + ((32 * k * q) >> 4)) >> 16
+// (for whole k the one above), and where n < 1, so that one line at most crosses the edge,
+//     full:    v_a + (v_b - v_a) * k / n, cut towards zero
+// in 1/32 pixel for x. A side's x is rounded to the nearest pixel, halves to the right.
 #pragma once
 
 #include "machine/fabric/polygon.hpp"
@@ -33,6 +41,7 @@ struct PolygonRenderOptions {
     int height = 512;
     int background = 0;  // grey level
     Precision precision = Precision::full;
+    int unit = 1;  // of the vertices' x and y, to a pixel: 1, or in full precision kSubpixels
 };
 
 struct DepthPicture {

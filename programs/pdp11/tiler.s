@@ -5,7 +5,8 @@
 ;
 ; What is drawn: machine/host/polygon_renderer.hpp states the rule, bit for bit. Formats of polygons and messages:
 ; machine/fabric/polygon.hpp. Symbols that choose the program, set before assembly:
-;   full              1: slopes with 15 bits of fraction (default). 0: whole numbers, as in the thesis' listing
+;   full              1: slopes with 15 bits of fraction, vertices on 1/32 pixel (default). 0: whole numbers, as in the thesis'
+;                     listing
 ;   skip_deltas       1: no division for a slope that nothing will use, or that is 0. 0: always divide (default)
 ;   frame_buffer_bus  1: the image is written over the frame-buffer bus. 0: in memory (default)
 ;   half_digested     1: polygons are set up by one processor each, which broadcasts them to the others. 0: by all (default)
@@ -45,6 +46,7 @@ phase_name_draw  = 0
 
         .include "include/node.s"
         .include "include/frame_buffer.s"
+        .include "tiler/places.s"
         .include "tiler/slope.s"
         .include "tiler/neighbour.s"
         .if ne half_digested

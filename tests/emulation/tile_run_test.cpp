@@ -51,9 +51,9 @@ TEST_P(EveryMachine, DrawsTheReferencePicture) {
     ASSERT_EQ(outcome.failure, "");
     ASSERT_EQ(outcome.pictures.size(), 1U);
     if (name.starts_with("splitter") || name.starts_with("hybrid")) {
-        // Cuts round to whole pixels: outlines move by one here and there.
+        // Cuts move outlines a little, and every pixel of this screen is near one.
         const auto same = host::compare(outcome.pictures[0], outcome.references[0]);
-        EXPECT_GE(same.all.share_within(2), 0.9);
+        EXPECT_GE(same.all.share_within(2), 0.98);
     } else {
         EXPECT_EQ(differing(outcome), 0U);
     }

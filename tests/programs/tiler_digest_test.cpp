@@ -46,7 +46,9 @@ class Group {
     }
 
     // `order` chooses who runs when. Throws when all stand still before the frame is over.
-    void draw(std::span<const Polygon> polygons, bool last_frame, Random& order) {
+    void draw(std::span<const Polygon> polygons, bool last_frame, Random& order,
+              Places places = Places::whole) {
+        places_ = places;
         polygons_ = polygons;
         dealt_ = 0;
         ends_dealt_ = 0;
@@ -85,7 +87,7 @@ class Group {
             if (input.size() >= options_.input_places) {
                 return false;
             }
-            input.push_back(polygon_message(&polygons_[dealt_++]));
+            input.push_back(polygon_message(options_.variant, &polygons_[dealt_++], places_));
             return true;
         }
         if (ends_dealt_ == nodes_.size()) {
@@ -95,7 +97,7 @@ class Group {
         if (input.size() >= options_.input_places) {
             return false;
         }
-        input.push_back(polygon_message(nullptr));
+        input.push_back(polygon_message(options_.variant, nullptr));
         ++ends_dealt_;
         return true;
     }
@@ -118,7 +120,8 @@ class Group {
             return false;
         } else {
             for (const auto& node : nodes_) {
-                node->inputs[1].push_back(all_ended ? polygon_message(nullptr) : outputs.front());
+                node->inputs[1].push_back(all_ended ? polygon_message(options_.variant, nullptr)
+                                                    : outputs.front());
             }
             if (all_ended) {
                 ended_.assign(nodes_.size(), false);
@@ -135,6 +138,7 @@ class Group {
     GroupOptions options_;
     std::vector<std::unique_ptr<TilerNode>> nodes_;
     std::span<const Polygon> polygons_;
+    Places places_ = Places::whole;
     std::size_t dealt_ = 0;
     std::size_t ends_dealt_ = 0;
     std::size_t turn_ = 0;
@@ -143,8 +147,9 @@ class Group {
 };
 
 void expect_reference(const Group& group, const TilerVariant& variant,
-                      const std::vector<Polygon>& polygons, int width, int height) {
-    const auto reference = reference_of(variant, polygons, width, height);
+                      const std::vector<Polygon>& polygons, int width, int height,
+                      Places places = Places::whole) {
+    const auto reference = reference_of(variant, polygons, width, height, places);
     for (const auto& node : group.nodes()) {
         ASSERT_EQ(difference(*node, reference), "")
             << name_of(variant) << ", x " << node->grid().x_start << " + " << node->grid().x_step
@@ -180,13 +185,18 @@ TEST_P(HalfDigested, PicturesAreThoseOfTheReference) {
         SCOPED_TRACE(fmt::format("scene {}", scene));
         const int frames = pick(random, 1, 2);
         for (int frame = 1; frame <= frames; ++frame) {
-            auto polygons = random_scene(random, options.width, options.height, 30);
+            const Places places = pick(random, 0, 1) == 0 ? Places::whole : Places::cut;
+            const int unit = unit_of(GetParam(), places);
+            auto polygons = places == Places::whole
+                                ? random_scene(random, options.width, options.height, 30)
+                                : random_parts(random, options.width, options.height, 30, unit);
             if (pick(random, 0, 5) == 0) {
                 polygons.resize(polygons.size() % 3);  // fewer than processors, or none
             }
-            group.draw(polygons, frame == frames, random);
+            group.draw(polygons, frame == frames, random, places);
             if (frame == frames) {
-                expect_reference(group, GetParam(), polygons, options.width, options.height);
+                expect_reference(group, GetParam(), polygons, options.width, options.height,
+                                 places);
             }
             if (HasFatalFailure()) {
                 return;

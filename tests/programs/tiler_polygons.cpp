@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "programs/tiler_polygons.hpp"
 
+#include "machine/fabric/polygon_cut.hpp"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -116,6 +118,49 @@ std::vector<Polygon> random_scene(Random& random, int width, int height, int mos
     std::vector<Polygon> polygons(static_cast<std::size_t>(pick(random, 1, most)));
     for (Polygon& polygon : polygons) {
         polygon = random_polygon(random, width, height);
+    }
+    return polygons;
+}
+
+namespace {
+
+// One of the parts that a tree of splitters makes of it.
+void cut_at_random(Random& random, int width, int height, int unit, Polygon& polygon) {
+    for (PolygonVertex& v : polygon.vertices) {
+        v.x = static_cast<std::int16_t>(v.x * unit);
+        v.y = static_cast<std::int16_t>(v.y * unit);
+    }
+    Polygon low, high;
+    for (int cuts = pick(random, 0, 8); cuts > 0; --cuts) {
+        const bool along_x = pick(random, 0, 1) == 0;
+        if ((along_x ? width : height) < 2) {
+            continue;
+        }
+        // At a vertex' line, or a little beside: most other cuts leave it whole.
+        const PolygonVertex near = polygon.vertices[random() % polygon.vertices.size()];
+        const int line = (along_x ? near.x : near.y) / unit + pick(random, -8, 8);
+        cut_polygon(polygon.vertices, along_x ? topology::CutAxis::x : topology::CutAxis::y,
+                    std::clamp(line, 1, (along_x ? width : height) - 1), low.vertices,
+                    high.vertices, unit);
+        Polygon& chosen = pick(random, 0, 1) == 0 ? low : high;
+        polygon = chosen.vertices.empty() ? (&chosen == &low ? high : low) : chosen;
+        if (polygon.vertices.empty()) {
+            polygon.vertices = {near};
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Polygon> random_parts(Random& random, int width, int height, int most, int unit) {
+    std::vector<Polygon> polygons(static_cast<std::size_t>(pick(random, 1, most)));
+    for (Polygon& polygon : polygons) {
+        if (pick(random, 0, 1) == 0) {
+            polygon = random_polygon(random, (width - 1) * unit + 1, (height - 1) * unit + 1);
+        } else {
+            polygon = random_polygon(random, width, height);
+            cut_at_random(random, width, height, unit, polygon);
+        }
     }
     return polygons;
 }

@@ -10,7 +10,8 @@
 ;     word 3   the lowest y
 ;     records of the left side, then of the right side, each from its topmost vertex down:
 ;       x, y, z, shade of the vertex, then the slopes of x, z and shade down the edge below it, two words each (high one
-;       first, 16 bits of fraction) or, in thesis precision, one. The lowest vertex ends its side and has no slopes.
+;       first, 16 bits of fraction) or, in thesis precision, one. The lowest vertex ends its side and has no slopes. In full
+;       precision, on an edge less than a line high a slope's high word is the change from the vertex to the line below it.
 
 ; The next digested polygon. On the way there, raw polygons are digested as long as one waits and the output has room: then
 ; nobody needs to wait for them. When the output is full only digested polygons are taken: one must come, since the bus will

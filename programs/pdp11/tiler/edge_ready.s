@@ -1,6 +1,6 @@
 ; SPDX-License-Identifier: MIT
 ; Values and deltas of an edge from a digested polygon: the slopes stand behind vertex a, at r5, and the record of b, at r4,
-; behind them, on either side.
+; behind them, on either side. r2 and r3 are their y.
 
         .macro  left_neighbour
         mov     r5, r4
@@ -20,8 +20,7 @@
 ; As in edge_value.s, but for the height.
         .macro  edge_value at
         .if ne full
-        mov     #100000, -(sp)          ; a half, for rounding
-        mov     at(r5), -(sp)
+        push_start at
         mov     slope_of_'at(r5), to_delta(sp)
         mov     slope_of_'at+2(r5), to_delta+2(sp)
         .iff
@@ -31,12 +30,13 @@
         .endm
 
         .macro  edge_value_stepped at
+        .if ne full
+        push_start at
+        .endc
         mov     slope_of_'at(r5), r0
         .if ne full
         mov     slope_of_'at+2(r5), r1
         scale_slope y_step, y_shift
-        mov     #100000, -(sp)
-        mov     at(r5), -(sp)
         mov     r0, to_delta(sp)
         mov     r1, to_delta+2(sp)
         .iff
@@ -51,9 +51,7 @@
         mov     slope_of_'at(r5), r3
         mov     slope_of_'at+2(r5), r0
         split_slope r0
-        value_after lag, at(r5)
-        mov     r1, -(sp)
-        mov     r0, -(sp)
+        push_value_lines_below at
         mov     slope_of_'at(r5), r0
         mov     slope_of_'at+2(r5), r1
         scale_slope y_step, y_shift
@@ -67,3 +65,25 @@
         mov     r0, to_delta(sp)
         .endc
         .endm
+
+        .if ne full
+
+        .macro  edge_value_between at
+        mov     slope_of_'at(r5), r3
+        mov     slope_of_'at+2(r5), r0
+        split_slope r0
+        push_value_below at
+        mov     slope_of_'at(r5), r0
+        mov     slope_of_'at+2(r5), r1
+        scale_slope y_step, y_shift
+        mov     r0, to_delta(sp)
+        mov     r1, to_delta+2(sp)
+        .endm
+
+; In place of a slope stands the change on the only line that crosses the edge.
+        .macro  edge_value_short at
+        mov     slope_of_'at(r5), r0
+        push_changed at
+        .endm
+
+        .endc

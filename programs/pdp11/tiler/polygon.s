@@ -7,9 +7,9 @@
 tap_polygon:
         .include "scan.s"
 
-        asl     r4
+        twice_line_above r4
         mov     row_below(r4), r4
-        asl     r3
+        twice_line r3
         mov     row_at(r3), r3
         cmp     r3, r4
         ble     next_polygon            ; between two lines
@@ -25,11 +25,11 @@ tap_vertex_top:
 ; In: a digested polygon in `message`.
 tap_polygon:
         mov     message_lowest, r4
-        asl     r4
+        twice_line_above r4
         mov     row_below(r4), r4
         mov     #message_left, r5
         mov     (r5), r3
-        asl     r3
+        twice_line r3
         mov     row_at(r3), r3
         cmp     r3, r4
         bgt     1$

@@ -6,9 +6,10 @@
 ;                   (d - I n) * 2^15 / n: a division each, since DIV takes 32 bits and gives 16. q / 2^15 with 16 bits of
 ;                   fraction is then I * 2^16 + 2 F.
 
-; In: d in r1, the condition codes of its computing; n > 0 in register n, which is not r0, r1 or whole.
+; In: d in r1, the condition codes of its computing; n > 0 in register n, which is not r0, r1 or whole. d is first multiplied by
+; 2^shift.
 ; Out: full: I in register whole, F in r0. thesis: q in r0. Clobbers r1.
-        .macro  divide n, whole, ?nonzero, ?divided
+        .macro  divide n, whole, shift=0, ?nonzero, ?divided
         .if ne skip_deltas
         bne     nonzero
         clr     r0
@@ -19,6 +20,9 @@
 nonzero:
         .endc
         sxt     r0
+        .if ne shift
+        ashc    #shift, r0
+        .endc
         div     n, r0
         .if ne full
         mov     r0, whole
