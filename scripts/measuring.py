@@ -73,6 +73,14 @@ def plot_figure(path, draw, title, x_label, y_label):
     pyplot.close(figure)
 
 
+def plot_pictures(path, pictures):
+    """Grey pictures, arrays of 0 to 255, side by side."""
+    import matplotlib.image
+    import numpy
+    path.parent.mkdir(parents=True, exist_ok=True)
+    matplotlib.image.imsave(path, numpy.hstack(pictures), cmap="gray", vmin=0, vmax=255)
+
+
 def print_tables(description, tables):
     """The command line of a measuring script: which of its tables to print."""
     parser = argparse.ArgumentParser(description=description.splitlines()[0])

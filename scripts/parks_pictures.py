@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy
 
-from measuring import table
+from measuring import plot_pictures, table
 from parks_machines import FIGURES, MACHINES, SCENES, scene_arguments
 
 # A pixel's grey may be off by so much more than what the uniprocessor has in the 3 x 3 pixels around.
@@ -29,12 +29,17 @@ def beyond_rounding(picture, whole):
     return int(((picture < around.min(0) - SHADING) | (picture > around.max(0) + SHADING)).sum())
 
 
-def pictures(emulator, _arguments):
+SHEET = [("runway", 0), ("airport", 4), ("shuttle_profile", 0), ("cargo_bay", 0)]
+
+
+def pictures(emulator, arguments):
     rows = []
+    sheet = {}
     for scene, frames in SCENES:
         whole = frames_of(emulator, "uniprocessor", scene, frames)
         found = {machine: frames_of(emulator, machine, scene, frames) for machine in MACHINES[1:]}
         for frame in range(frames):
+            sheet[scene, frame] = whole[frame]
             cells = []
             for machine in MACHINES[1:]:
                 differing = int((found[machine][frame] != whole[frame]).sum())
@@ -45,3 +50,5 @@ def pictures(emulator, _arguments):
             rows.append([FIGURES.get((scene, frame), scene), *cells])
     print(f"Pixels that differ, % (by more than {SHADING} grey levels, %), and how many a pixel's distance does not explain.\n")
     table(["figure or scene", *MACHINES[1:]], rows)
+    if arguments.plots:
+        plot_pictures(arguments.plots / "parks-scenes.png", [sheet[place] for place in SHEET])
