@@ -2,7 +2,7 @@
 """Who wins at 4, 16, 64 and 256 processors, what an interlace processor spends on overhead, and how far a small move of the viewer swings them."""
 
 from measuring import plot_figure, setting, table
-from parks_machines import FIGURES, IDEAL, SCENES, SIZES, THESIS, appendix_c, frame_cycles, scene_arguments
+from parks_machines import FIGURES, IDEAL, SCENES, SIZES, appendix_c, frame_cycles, scene_arguments
 
 PATH = 120  # frames along the approach
 
@@ -11,22 +11,30 @@ def kinds_of(size):
     return ["splitter", "interlace", *(["hybrid"] if size in (16, 64) else [])]
 
 
+def by_formula(emulator, machine, *arguments):
+    """Of every frame: the thesis' formula on the counts of the processor for which it gives most."""
+    return [max(node["formula_u"] for node in frame.values()) for frame in appendix_c(emulator, machine, *arguments, *IDEAL)]
+
+
+def on_ideal_fabric(emulator, machine, *arguments):
+    return frame_cycles(emulator, machine, *arguments, *IDEAL)
+
+
 def winners(emulator, _arguments):
-    for title, settings in (("real fabric", []), ("ideal fabric, thesis' precision", [*IDEAL, *THESIS])):
+    for title, cycles_of in (("real fabric", frame_cycles), ("ideal fabric", on_ideal_fabric),
+                             ("by the thesis' formula, which leaves the fabric out", by_formula)):
         print(f"Frame time in millions of cycles, {title}; the least in bold.\n")
         rows = []
         for scene, frames in SCENES:
-            times = {(kind, size): frame_cycles(emulator, f"{kind}{size}", *scene_arguments(scene, frames), *settings)
+            times = {(kind, size): cycles_of(emulator, f"{kind}{size}", *scene_arguments(scene, frames))
                      for size in SIZES for kind in kinds_of(size)}
-            for frame in range(frames):
-                cells = []
-                for size in SIZES:
-                    found = {kind: times[kind, size][frame] for kind in kinds_of(size)}
-                    best = min(found.values())
-                    cells.append(", ".join(f"**{cycles / 1e6:.3f}**" if cycles == best else f"{cycles / 1e6:.3f}"
-                                           for cycles in found.values()))
-                rows.append([FIGURES.get((scene, frame), scene), *cells])
+            rows += [[FIGURES.get((scene, frame), scene), *(least_in_bold([times[kind, size][frame] for kind in kinds_of(size)])
+                                                            for size in SIZES)] for frame in range(frames)]
         table(["figure or scene", *(f"{size}: {', '.join(kinds_of(size))}" for size in SIZES)], rows)
+
+
+def least_in_bold(cycles):
+    return ", ".join(f"**{c / 1e6:.3f}**" if c == min(cycles) else f"{c / 1e6:.3f}" for c in cycles)
 
 
 def overhead(emulator, _arguments):
@@ -34,13 +42,13 @@ def overhead(emulator, _arguments):
     rows = []
     for size in SIZES:
         for scene, frames in SCENES:
-            by_formula, emulated = [], []
-            for frame in appendix_c(emulator, f"interlace{size}", *scene_arguments(scene, frames), *IDEAL, *THESIS):
+            counted, emulated = [], []
+            for frame in appendix_c(emulator, f"interlace{size}", *scene_arguments(scene, frames), *IDEAL):
                 slowest = max(frame.values(), key=lambda node: node["formula_u"])
-                by_formula.append(100 * (139 * slowest["polygons"] + 319.3 * slowest["vertices"]) / slowest["formula_u"])
+                counted.append(100 * (139 * slowest["polygons"] + 319.3 * slowest["vertices"]) / slowest["formula_u"])
                 slowest = max(frame.values(), key=lambda node: node["scene_u"])
                 emulated.append(100 * (slowest["cycles_u"]["polygon"] + slowest["cycles_u"]["vertex"]) / slowest["scene_u"])
-            rows.append([size, scene, " ".join(f"{share:.0f}" for share in by_formula), " ".join(f"{share:.0f}" for share in emulated)])
+            rows.append([size, scene, " ".join(f"{share:.0f}" for share in counted), " ".join(f"{share:.0f}" for share in emulated)])
     table(["interlace of", "scene", "polygon and vertex time by the formula, %, a frame", "emulated, %"], rows)
 
 
