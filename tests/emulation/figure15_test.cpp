@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Parks' figure 15 on the machines: appendix C of the runs beside what the thesis prints of the
 // same eight processors (1982, C.1 to C.8).
+#include "tests/figure15.hpp"
+
 #include "machine/emulation/run.hpp"
 #include "tests/emulation/machines.hpp"
 
@@ -66,21 +68,8 @@ INSTANTIATE_TEST_SUITE_P(Thesis, Figure15, testing::ValuesIn(kPublished), [](con
 
 TEST(Figure15OnOneProcessor, HasThePublishedDistributions) {
     const AppendixC found = appendix_c_of(kPublished[0]);
-    using Counts = std::map<std::int64_t, std::int64_t>;
-    EXPECT_EQ(found.vertices.counts(),
-              (Counts{{1, 2}, {2, 54}, {3, 153}, {4, 34}, {5, 4}, {6, 1}}));
-    EXPECT_EQ(found.heights.counts(), (Counts{{1, 31},
-                                              {2, 95},
-                                              {3, 68},
-                                              {4, 23},
-                                              {5, 7},
-                                              {6, 11},
-                                              {11, 2},
-                                              {14, 4},
-                                              {15, 4},
-                                              {73, 1},
-                                              {280, 1},
-                                              {302, 1}}));
+    EXPECT_EQ(found.vertices.counts(), figure15_vertices());
+    EXPECT_EQ(found.heights.counts(), figure15_heights());
     EXPECT_EQ(found.pixels(), 251224);
     EXPECT_EQ(found.lengths.count(512), 352);
     EXPECT_EQ(found.depth.count(0), 107520);

@@ -3,6 +3,7 @@
 #include "machine/host/polygon_renderer.hpp"
 #include "machine/host/polygon_scenes.hpp"
 #include "machine/host/polygon_shape.hpp"
+#include "tests/figure15.hpp"
 #include "tests/host/screen_costs.hpp"
 
 #include <cmath>
@@ -23,19 +24,8 @@ TEST(Runway, HasThePublishedVerticesHeightsAndDepths) {
     EXPECT_EQ(costs.polygons, 248);
     EXPECT_EQ(costs.segments(), 1411);
     EXPECT_EQ(costs.pixels(), 251224);
-    EXPECT_EQ(costs.vertices, (Histogram{{1, 2}, {2, 54}, {3, 153}, {4, 34}, {5, 4}, {6, 1}}));
-    EXPECT_EQ(costs.heights, (Histogram{{1, 31},
-                                        {2, 95},
-                                        {3, 68},
-                                        {4, 23},
-                                        {5, 7},
-                                        {6, 11},
-                                        {11, 2},
-                                        {14, 4},
-                                        {15, 4},
-                                        {73, 1},
-                                        {280, 1},
-                                        {302, 1}}));
+    EXPECT_EQ(costs.vertices, figure15_vertices());
+    EXPECT_EQ(costs.heights, figure15_heights());
     EXPECT_EQ(costs.depth, (Histogram{{0, 107520},
                                       {1, 59386},
                                       {2, 94945},

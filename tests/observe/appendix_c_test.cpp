@@ -4,11 +4,11 @@
 
 #include "machine/observe/appendix_c_files.hpp"
 #include "machine/observe/appendix_c_text.hpp"
+#include "tests/figure15.hpp"
 
 #include <algorithm>
-#include <initializer_list>
+#include <map>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Distribution distribution(std::initializer_list<std::pair<std::int64_t, std::int64_t>> counts) {
+Distribution distribution(const std::map<std::int64_t, std::int64_t>& counts) {
     Distribution data;
     for (const auto& [value, times] : counts) {
         data.add(value, times);
@@ -30,8 +30,7 @@ Distribution distribution(std::initializer_list<std::pair<std::int64_t, std::int
 }
 
 // C.1, C.3, C.6: every interlace processor sees all vertices of the scene.
-const Distribution kSceneVertices =
-    distribution({{1, 2}, {2, 54}, {3, 153}, {4, 34}, {5, 4}, {6, 1}});
+const Distribution kSceneVertices = distribution(figure15_vertices());
 
 TEST(Distribution, HasTheThesisMeansAndVariances) {
     EXPECT_EQ(kSceneVertices.points(), 248);
@@ -40,18 +39,7 @@ TEST(Distribution, HasTheThesisMeansAndVariances) {
     EXPECT_NEAR(kSceneVertices.deviation(), 0.696531, 5e-7);
     EXPECT_NEAR(kSceneVertices.variance(), 0.485155, 5e-7);
     // C.1's heights (its 5.669516 is a misprint of 5.689516), C.2's, C.5's.
-    const Distribution y = distribution({{1, 31},
-                                         {2, 95},
-                                         {3, 68},
-                                         {4, 23},
-                                         {5, 7},
-                                         {6, 11},
-                                         {11, 2},
-                                         {14, 4},
-                                         {15, 4},
-                                         {73, 1},
-                                         {280, 1},
-                                         {302, 1}});
+    const Distribution y = distribution(figure15_heights());
     EXPECT_EQ(y.sum(), 1411);
     EXPECT_NEAR(y.deviation(), 26.242748, 5e-7);
     EXPECT_NEAR(y.variance(), 688.681824, 5e-6);
