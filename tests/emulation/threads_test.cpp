@@ -23,8 +23,6 @@ struct Written {
     std::string failure;
     std::vector<host::Picture> pictures;
     std::string statistics, nodes, links, messages;
-
-    friend bool operator==(const Written&, const Written&) = default;
 };
 
 std::string contents(const std::filesystem::path& path) {
