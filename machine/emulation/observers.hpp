@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Who listens to a machine while it runs: attached to it directly, or through a merger where its
-// partitions run at once.
+// Who listens to a machine while it runs, in the order of its events.
 #pragma once
 
 #include "machine/emulation/machine.hpp"
 #include "machine/observe/phase_log.hpp"
 #include "machine/observe/record_merger.hpp"
-
-#include <optional>
 
 namespace rasterloom::emulation {
 
@@ -17,15 +14,11 @@ class Observers {
     // among threads already.
     Observers(Machine& machine, observe::PhaseLog& phases, NodeListener* messages);
 
-    // Tells the listeners what has happened since the last time; while the machine stands still.
-    void catch_up();
+    // Tells the listeners what has happened before `reached`; while the machine stands still there.
+    void catch_up(Time reached) { merger_.flush(reached); }
 
   private:
-    void attach(NodeListener& listener);
-    void attach_merger();
-
-    Machine& machine_;
-    std::optional<observe::RecordMerger> merger_;
+    observe::RecordMerger merger_;
 };
 
 }  // namespace rasterloom::emulation

@@ -186,10 +186,9 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     }
 
     const auto start = WallClock::now();
-    const RunResult result = run_in_slices(
-        machine.simulation(), Time::zero() + description.run.max_time,
-        options.progress || machine.simulation().partitions() > 1, [&](Time now) {
-            observers.catch_up();
+    const RunResult result =
+        run_in_slices(machine.simulation(), Time::zero() + description.run.max_time, [&](Time now) {
+            observers.catch_up(now);
             if (collector) {
                 collector->collect();
             }
@@ -197,6 +196,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
                 tell_progress(options, machine, description, now);
             }
         });
+    observers.catch_up(Time::never());
     outcome.wall_seconds = seconds_since(start);
 
     outcome.failure = failure_of(result, description, machine);

@@ -11,7 +11,8 @@ namespace {
 using WallClock = std::chrono::steady_clock;
 
 constexpr double kSliceSeconds = 0.1;  // of wall time
-constexpr std::int64_t kFirstSlices = 10'000;  // in the whole time: long enough to start threads for
+constexpr std::int64_t kFirstSlices =
+    10'000;  // in the whole time: long enough to start threads for
 
 Duration adapt(Duration slice, double took, Duration whole) {
     if (took < kSliceSeconds / 2 && slice < whole) {
@@ -25,13 +26,11 @@ Duration adapt(Duration slice, double took, Duration whole) {
 
 }  // namespace
 
-RunResult run_in_slices(Simulation& simulation, Time limit, bool sliced,
+RunResult run_in_slices(Simulation& simulation, Time limit,
                         const std::function<void(Time)>& between) {
     const Duration whole = limit.since_start();
-    Duration slice = whole;
-    if (sliced) {
-        slice = Duration::picoseconds(std::max<std::int64_t>(1, whole.picoseconds() / kFirstSlices));
-    }
+    Duration slice =
+        Duration::picoseconds(std::max<std::int64_t>(1, whole.picoseconds() / kFirstSlices));
     Time reached;
     while (true) {
         const auto start = WallClock::now();
@@ -39,8 +38,8 @@ RunResult run_in_slices(Simulation& simulation, Time limit, bool sliced,
         const RunResult result = simulation.run(until);
         reached = result.time;
         between(reached);
-        const bool goes_on = result.end == RunEnd::paused ||
-                             (result.end == RunEnd::limit && until < limit);
+        const bool goes_on =
+            result.end == RunEnd::paused || (result.end == RunEnd::limit && until < limit);
         if (!goes_on) {
             return result;
         }

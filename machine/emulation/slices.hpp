@@ -9,9 +9,9 @@
 namespace rasterloom::emulation {
 
 // Runs up to `limit`. `between` is called with the time reached whenever the machine stands still:
-// after every slice, pause and at the end. With `sliced` that is about ten times a second of wall
-// time, else only where components pause. How a run is sliced does not change what happens.
-RunResult run_in_slices(Simulation& simulation, Time limit, bool sliced,
+// about ten times a second of wall time, where components pause, and at the end. How a run is
+// sliced does not change what happens.
+RunResult run_in_slices(Simulation& simulation, Time limit,
                         const std::function<void(Time)>& between);
 
 }  // namespace rasterloom::emulation

@@ -9,7 +9,9 @@
 
 namespace rasterloom::emulation {
 
-// What the description says, else one.
+// What the description says; else as many as the host has cores, but no more than there are
+// thousands of processors: with fewer, a round (docs/threads.md) holds so little work that meeting
+// costs more than a second core gains, on a host whose cores are far apart or busy.
 std::size_t threads_for(const config::MachineDescription& description, const Machine& machine);
 
 }  // namespace rasterloom::emulation

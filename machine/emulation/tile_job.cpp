@@ -92,10 +92,12 @@ class TileJob final : public HostJob {
                         host::Picture& picture) const {
         for (int row = 0; row < grid.rows; ++row) {
             const int y = distribution_.height - 1 - (grid.y_start + row * grid.y_step);
-            for (int column = 0; column < grid.columns; ++column) {
-                const int shade = pixels.image(row, column);
-                picture.at(grid.x_start + column * grid.x_step, y) =
-                    static_cast<std::uint8_t>(std::clamp(shade / kShadeUnit, 0, 255));
+            const std::span<const std::uint8_t> words = pixels.image_row(row);
+            std::uint8_t* pixel = &picture.at(grid.x_start, y);
+            for (std::size_t byte = 0; byte < words.size(); byte += 2) {
+                const auto shade = static_cast<std::int16_t>(words[byte] | words[byte + 1] << 8U);
+                *pixel = static_cast<std::uint8_t>(std::clamp(shade / kShadeUnit, 0, 255));
+                pixel += byte + 2 < words.size() ? grid.x_step : 0;
             }
         }
     }

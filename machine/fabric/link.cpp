@@ -37,6 +37,8 @@ Link::Link(std::string name, const LinkSettings& settings)
         throw std::invalid_argument(
             fmt::format("{}: an input queue holds at least 1 message", this->name()));
     }
+    // Of the shortest message.
+    promise_delay(receiver_, settings.time_per_message + settings.time_per_byte);
 }
 
 void Link::connect(Simulation& simulation, Processor& from, int from_port, Processor& to,

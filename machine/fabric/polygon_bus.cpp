@@ -26,7 +26,8 @@ PolygonBus::PolygonBus(std::string name, const PolygonBusSettings& settings)
     }
     add_port("input");
     for (int listener = 0; listener < settings.listeners; ++listener) {
-        add_port(fmt::format("listener {}", listener));
+        // The shortest message is the end of a frame, two words.
+        promise_delay(add_port(fmt::format("listener {}", listener)), 2 * settings.time_per_word);
         listeners_.emplace_back(1, settings.listener_places);
     }
     statistics_.held_by.resize(listeners_.size());

@@ -56,6 +56,7 @@ class PolygonBus final : public Component {
 
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
+    int weight() const override { return 20 * settings_.listeners; }  // a fifth of a processor each
 
   private:
     void take();

@@ -80,23 +80,21 @@ Sets join_pieces(const PartitionProblem& problem, const std::vector<bool>& apart
     return sets;
 }
 
-// [piece, by its least member]: its partition, which is its thread too.
-std::vector<std::size_t> deal(const PartitionProblem& problem, const std::vector<bool>& apart,
-                              Sets& sets) {
-    std::vector<std::int64_t> weight(apart.size());
-    for (std::size_t i = 0; i < apart.size(); ++i) {
-        weight[sets.find(i)] += apart[i] ? 0 : problem.components[i].weight;
-    }
+// [piece, by its least member]: its thread. Who stands apart is a piece, too.
+std::vector<std::size_t> deal(const PartitionProblem& problem, Sets& sets) {
+    const std::size_t count = problem.components.size();
+    std::vector<std::int64_t> weight(count);
     std::vector<std::size_t> pieces;
-    for (std::size_t i = 0; i < apart.size(); ++i) {
-        if (!apart[i] && sets.find(i) == i) {
+    for (std::size_t i = 0; i < count; ++i) {
+        weight[sets.find(i)] += problem.components[i].weight;
+        if (sets.find(i) == i) {
             pieces.push_back(i);
         }
     }
     std::stable_sort(pieces.begin(), pieces.end(),
                      [&](std::size_t a, std::size_t b) { return weight[a] > weight[b]; });
     std::vector<std::int64_t> load(problem.threads);
-    std::vector<std::size_t> thread(apart.size());
+    std::vector<std::size_t> thread(count);
     for (const std::size_t piece : pieces) {
         const auto least = std::min_element(load.begin(), load.end());
         *least += weight[piece];
@@ -115,11 +113,11 @@ PartitionPlan plan_partitions(const PartitionProblem& problem) {
     std::iota(plan.thread_of.begin(), plan.thread_of.end(), std::size_t{0});
     const std::vector<bool> apart = who_stands_apart(problem);
     Sets sets = join_pieces(problem, apart);
-    const std::vector<std::size_t> thread = deal(problem, apart, sets);
+    const std::vector<std::size_t> thread = deal(problem, sets);
     for (std::size_t i = 0; i < count; ++i) {
         if (apart[i]) {
             plan.partition_of[i] = plan.thread_of.size();
-            plan.thread_of.push_back(plan.thread_of.size() % problem.threads);
+            plan.thread_of.push_back(thread[i]);
         } else {
             plan.partition_of[i] = thread[sets.find(i)];
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/kernel/rounds.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <thread>
 #include <utility>
 
@@ -8,14 +10,25 @@ namespace rasterloom {
 
 namespace {
 
-// A meeting takes a fraction of a microsecond when every thread has a core. When one has not, the
-// others had better leave theirs.
-constexpr int kSpins = 300;
+// Looks at the others' progress, a few nanoseconds each: before a thread does what another one has
+// not begun, and before it gives up its core.
+constexpr int kPatience = 100;
+constexpr int kCrowdedSpins = 60'000;  // some milliseconds: no round takes that long
+constexpr std::chrono::milliseconds kRest{50};
+constexpr int kSpins = 30'000;  // about a millisecond: giving up the core may cost several
 
 void pause_processor() {
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
 #endif
+}
+
+void wait_a_little(int spins) {
+    if (spins < kSpins) {
+        pause_processor();
+    } else {
+        std::this_thread::yield();
+    }
 }
 
 const EventKey& earlier(const EventKey& a, const EventKey& b) {
@@ -28,56 +41,111 @@ Time later_by(Time time, Duration duration) {
 
 }  // namespace
 
-Rounds::Rounds(std::vector<Scheduler*> partitions, std::vector<std::size_t> thread_of,
+Rounds::Rounds(const std::vector<Scheduler*>& partitions, const std::vector<std::size_t>& thread_of,
                LookaheadTable lookaheads)
-    : partitions_(std::move(partitions)), lookaheads_(std::move(lookaheads)) {
-    const std::size_t count = partitions_.size();
-    for (std::size_t partition = 0; partition < count; ++partition) {
-        if (thread_of[partition] >= partitions_of_.size()) {
-            partitions_of_.resize(thread_of[partition] + 1);
-        }
-        partitions_of_[thread_of[partition]].push_back(partition);
-        for (auto& reports : reports_) {
-            reports.push_back(std::make_unique<Report>());
-            reports.back()->sent.assign(count, kNoEvent);
-        }
-        mailboxes_.emplace_back(count);
+    : lookaheads_(std::move(lookaheads)), next_(partitions.size()) {
+    partitions_of_.resize(*std::max_element(thread_of.begin(), thread_of.end()) + 1);
+    for (std::size_t i = 0; i < partitions.size(); ++i) {
+        partitions_.push_back(std::make_unique<Partition>());
+        partitions_[i]->scheduler = partitions[i];
+        partitions_[i]->report.sent.assign(partitions.size(), kNoEvent);
+        partitions_of_[thread_of[i]].push_back(i);
+        mailboxes_.emplace_back(partitions.size());
     }
-    arrivals_ = std::vector<Arrival>(partitions_of_.size());
 }
 
 Mailbox& Rounds::mailbox(std::size_t from, std::size_t to) {
     auto& mailbox = mailboxes_[from][to];
     if (mailbox == nullptr) {
         mailbox = std::make_unique<Mailbox>();
+        partitions_[to]->inboxes.push_back(mailbox.get());
     }
     return *mailbox;
 }
 
 bool Rounds::has_mail() const {
-    for (const auto& from : mailboxes_) {
-        for (const auto& mailbox : from) {
-            if (mailbox != nullptr && !mailbox->empty()) {
-                return true;
-            }
-        }
-    }
-    return false;
+    return std::any_of(partitions_.begin(), partitions_.end(), [](const auto& partition) {
+        return std::any_of(partition->inboxes.begin(), partition->inboxes.end(),
+                           [](const Mailbox* inbox) { return !inbox->empty(); });
+    });
 }
 
+// The calling thread makes the reports from which the first round begins.
 void Rounds::run() {
-    aborted_ = false;
-    thrown_ = nullptr;
-    {
-        std::vector<std::jthread> helpers;
-        for (std::size_t thread = 1; thread < partitions_of_.size(); ++thread) {
-            helpers.emplace_back([this, thread] { take_part(thread); });
-        }
-        take_part(0);
-    }
-    first_round_ = rounds_;
     if (thrown_) {
         std::rethrow_exception(thrown_);
+    }
+    const std::uint64_t first = round_.load(std::memory_order_relaxed) + 1;
+    for (std::size_t i = 0; i < partitions_.size(); ++i) {
+        report(i);
+        partitions_[i]->rounds = first;
+    }
+    prepare_round(first);
+    gate_.fetch_or(kOpen, std::memory_order_release);
+    gate_.notify_all();
+    for (std::size_t thread = helpers_.size() + 1; thread < partitions_of_.size(); ++thread) {
+        helpers_.emplace_back([this, thread] { help(thread); });
+    }
+    take_part(0);
+    gate_.fetch_and(~kOpen, std::memory_order_relaxed);
+    for (int spins = 0; gate_.load(std::memory_order_acquire) != 0; ++spins) {
+        wait_a_little(spins);
+    }
+    if (thrown_) {
+        std::rethrow_exception(thrown_);
+    }
+    for (std::size_t thread = 0; thread < partitions_of_.size(); ++thread) {
+        finish(thread);
+    }
+    for (const auto& partition : partitions_) {
+        collect_mail(*partition, round_ - 1);
+    }
+}
+
+Rounds::~Rounds() {
+    {
+        const std::lock_guard lock(rest_mutex_);
+        gate_.fetch_or(kEnd, std::memory_order_relaxed);
+    }
+    gate_.notify_all();
+    rest_over_.notify_all();
+}
+
+// A helper's life: it stays awake for a while after a run, for the next one often follows at once.
+void Rounds::help(std::size_t thread) {
+    while (enter()) {
+        take_part(thread);
+        gate_.fetch_sub(1, std::memory_order_release);
+        if (crowded_.load(std::memory_order_relaxed)) {
+            rest();
+        }
+    }
+}
+
+void Rounds::rest() {
+    std::unique_lock lock(rest_mutex_);
+    rest_over_.wait_for(lock, kRest,
+                        [this] { return (gate_.load(std::memory_order_relaxed) & kEnd) != 0; });
+    crowded_.store(false, std::memory_order_relaxed);
+}
+
+// Waits for the gate to open; false when it never will again.
+bool Rounds::enter() {
+    int spins = 0;
+    while (true) {
+        std::uint32_t seen = gate_.load(std::memory_order_acquire);
+        if ((seen & kEnd) != 0) {
+            return false;
+        }
+        if ((seen & kOpen) != 0) {
+            if (gate_.compare_exchange_weak(seen, seen + 1, std::memory_order_acquire)) {
+                return true;
+            }
+        } else if (++spins < kSpins) {
+            pause_processor();
+        } else {
+            gate_.wait(seen);
+        }
     }
 }
 
@@ -89,121 +157,140 @@ void Rounds::take_part(std::size_t thread) {
         if (!thrown_) {
             thrown_ = std::current_exception();
         }
-        aborted_ = true;
+        aborted_.store(true, std::memory_order_release);
     }
 }
 
 void Rounds::work(std::size_t thread) {
-    Bounds bounds;
-    bounds.next.resize(partitions_.size());
-    for (std::uint64_t round = first_round_;; ++round) {
-        for (const std::size_t partition : partitions_of_[thread]) {
-            report(partition, round);
-        }
-        if (!meet(thread, round + 1)) {
+    int spins = 0;
+    std::uint64_t last = 0;
+    while (!aborted_.load(std::memory_order_relaxed)) {
+        const std::uint64_t round = round_.load(std::memory_order_acquire);
+        if (over_.load(std::memory_order_acquire)) {
+            finish(thread);
             return;
         }
-        find_bounds(round, bounds);
-        for (const std::size_t partition : partitions_of_[thread]) {
-            collect_mail(partition, round);
-            Scheduler& scheduler = *partitions_[partition];
-            scheduler.limit_ = bounds.limit;
-            scheduler.bound_ = bound_of(partition, bounds);
-            scheduler.run_to_bound();
+        spins = round == last ? spins : 0;
+        last = round;
+        const bool crowded = crowded_.load(std::memory_order_relaxed);
+        if (crowded && thread > 0) {
+            return;
         }
-        if (bounds.over) {
-            if (thread == 0) {
-                rounds_ = round + 1;
-            }
-            break;
+        bool busy = false;
+        for (const std::size_t own : partitions_of_[thread]) {
+            busy = run_partition(own, round) || busy;
         }
-    }
-    for (const std::size_t partition : partitions_of_[thread]) {
-        partitions_[partition]->finish_work();
+        for (std::size_t i = 0; (crowded || spins > kPatience) && !busy && i < partitions_.size();
+             ++i) {
+            busy = run_partition(i, round);
+        }
+        if (busy || work_ahead(thread)) {
+            continue;
+        }
+        if (thread > 0) {
+            wait_a_little(spins++);
+        } else if (++spins < kCrowdedSpins) {
+            pause_processor();
+        } else {
+            crowded_.store(true, std::memory_order_relaxed);
+            std::this_thread::yield();
+        }
     }
 }
 
-void Rounds::report(std::size_t partition, std::uint64_t round) {
-    const Scheduler& scheduler = *partitions_[partition];
-    Report& report = *reports_[round % 2][partition];
+// False when the partition has taken part in this round already, or another thread has it.
+bool Rounds::run_partition(std::size_t index, std::uint64_t round) {
+    Partition& partition = *partitions_[index];
+    if (partition.rounds.load(std::memory_order_relaxed) > round ||
+        partition.taken.exchange(true, std::memory_order_acquire)) {
+        return false;
+    }
+    const bool due = partition.rounds.load(std::memory_order_relaxed) == round;
+    if (due) {  // and so it is the round in progress
+        collect_mail(partition, round - 1);
+        Scheduler& scheduler = *partition.scheduler;
+        scheduler.limit_ = limit_;
+        scheduler.bound_ = bound_of(index);
+        scheduler.run_to_bound();
+        report(index);
+        partition.rounds.store(round + 1, std::memory_order_relaxed);
+    }
+    partition.taken.store(false, std::memory_order_release);
+    if (due && missing_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+        prepare_round(round + 1);
+    }
+    return due;
+}
+
+void Rounds::report(std::size_t index) {
+    const Scheduler& scheduler = *partitions_[index]->scheduler;
+    Report& report = partitions_[index]->report;
     report.next = scheduler.next_key();
     report.limit = scheduler.limit_;
     for (std::size_t to = 0; to < partitions_.size(); ++to) {
-        if (Mailbox* mailbox = mailboxes_[partition][to].get()) {
+        if (Mailbox* mailbox = mailboxes_[index][to].get()) {
             report.sent[to] = mailbox->close();
         }
     }
 }
 
-bool Rounds::all_arrived(std::uint64_t round) const {
-    for (const Arrival& arrival : arrivals_) {
-        if (arrival.round.load(std::memory_order_acquire) < round) {
-            return false;
+void Rounds::prepare_round(std::uint64_t round) {
+    limit_ = kNoEvent;
+    next_.assign(next_.size(), kNoEvent);
+    for (std::size_t from = 0; from < partitions_.size(); ++from) {
+        const Report& report = partitions_[from]->report;
+        limit_ = earlier(limit_, report.limit);
+        next_[from] = earlier(next_[from], report.next);
+        for (std::size_t to = 0; to < partitions_.size(); ++to) {
+            next_[to] = earlier(next_[to], report.sent[to]);
         }
     }
-    return true;
+    const bool over = std::none_of(next_.begin(), next_.end(),
+                                   [this](const EventKey& next) { return next < limit_; });
+    missing_.store(partitions_.size(), std::memory_order_relaxed);
+    over_.store(over, std::memory_order_release);
+    round_.store(round, std::memory_order_release);
 }
 
-// Returns false when another thread has thrown. A thread that has to wait goes on with private work
-// meanwhile: what comes of it is for a later round.
-bool Rounds::meet(std::size_t thread, std::uint64_t round) {
-    arrivals_[thread].round.store(round, std::memory_order_release);
-    for (int spins = 0; !all_arrived(round);) {
-        if (aborted_.load(std::memory_order_relaxed)) {
-            return false;
-        }
-        if (work_ahead(thread)) {
-            spins = 0;
-        } else if (++spins < kSpins) {
-            pause_processor();
-        } else {
-            std::this_thread::yield();
-        }
-    }
-    return true;
-}
-
+// A part of the private work of this thread's partitions; false when there is none.
 bool Rounds::work_ahead(std::size_t thread) {
-    for (const std::size_t partition : partitions_of_[thread]) {
-        if (partitions_[partition]->work_ahead()) {
+    for (const std::size_t own : partitions_of_[thread]) {
+        Partition& partition = *partitions_[own];
+        if (partition.taken.exchange(true, std::memory_order_acquire)) {
+            continue;
+        }
+        const bool worked = partition.scheduler->work_ahead();
+        partition.taken.store(false, std::memory_order_release);
+        if (worked) {
             return true;
         }
     }
     return false;
 }
 
-void Rounds::find_bounds(std::uint64_t round, Bounds& bounds) const {
-    const auto& reports = reports_[round % 2];
-    const std::size_t count = partitions_.size();
-    bounds.limit = kNoEvent;
-    for (std::size_t to = 0; to < count; ++to) {
-        bounds.limit = earlier(bounds.limit, reports[to]->limit);
-        bounds.next[to] = reports[to]->next;
-        for (std::size_t from = 0; from < count; ++from) {
-            bounds.next[to] = earlier(bounds.next[to], reports[from]->sent[to]);
+void Rounds::finish(std::size_t thread) {
+    for (const std::size_t own : partitions_of_[thread]) {
+        Partition& partition = *partitions_[own];
+        while (partition.taken.exchange(true, std::memory_order_acquire)) {
+            std::this_thread::yield();
         }
-    }
-    bounds.over = true;
-    for (const EventKey& next : bounds.next) {
-        bounds.over = bounds.over && !(next < bounds.limit);
+        partition.scheduler->finish_work();
+        partition.taken.store(false, std::memory_order_release);
     }
 }
 
-EventKey Rounds::bound_of(std::size_t partition, const Bounds& bounds) const {
+EventKey Rounds::bound_of(std::size_t partition) const {
     Time bound = Time::never();
     for (std::size_t from = 0; from < partitions_.size(); ++from) {
-        bound = std::min(bound, later_by(bounds.next[from].time, lookaheads_[from][partition]));
+        bound = std::min(bound, later_by(next_[from].time, lookaheads_[from][partition]));
     }
-    const EventKey unheard = bound == Time::never() ? kNoEvent : EventKey{bound, 0};
-    return earlier(unheard, bounds.limit);
+    return bound == Time::never() ? limit_ : earlier({bound, 0}, limit_);
 }
 
-void Rounds::collect_mail(std::size_t partition, std::uint64_t round) {
-    for (auto& from : mailboxes_) {
-        if (Mailbox* mailbox = from[partition].get()) {
-            mailbox->take_all(round % Mailbox::kBoxes,
-                              [&](const Event& event) { partitions_[partition]->push(event); });
-        }
+void Rounds::collect_mail(Partition& partition, std::uint64_t round) {
+    for (Mailbox* inbox : partition.inboxes) {
+        inbox->take_all(round % Mailbox::kBoxes,
+                        [&](const Event& event) { partition.scheduler->push(event); });
     }
 }
 

@@ -110,4 +110,11 @@ std::int16_t FrameBuffer::image(int row, int column) const {
     return word_at(image_, offset(row) + in_row);
 }
 
+std::span<const std::uint8_t> FrameBuffer::image_row(int row) const {
+    if (selected_ == row && !settings_.over_bus) {
+        return core_->memory().subspan(kImageWindow, row_bytes());
+    }
+    return std::span(image_).subspan(offset(row), row_bytes());
+}
+
 }  // namespace rasterloom

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace rasterloom {
@@ -52,6 +53,8 @@ class FrameBuffer {
     // As they are now, whether in a window or not; 0 <= row < rows, 0 <= column < columns.
     std::int16_t depth(int row, int column) const;
     std::int16_t image(int row, int column) const;
+    // A row's image words as bytes, low byte first; valid until the core runs or a row is selected.
+    std::span<const std::uint8_t> image_row(int row) const;
 
   private:
     std::size_t row_bytes() const { return 2 * static_cast<std::size_t>(settings_.columns); }

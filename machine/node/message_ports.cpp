@@ -142,19 +142,22 @@ void MessagePorts::grow_arrived(Port& port) const {
 
 bool MessagePorts::deliver(int port_number, Message* message, Time now) {
     Port& port = at(port_number);
-    if (port.waiting == input_queue_) {
+    while (port.held > port.waiting && port.arrived[port.oldest_arrived].consumed < now) {
+        port.oldest_arrived = static_cast<std::uint32_t>(port.ring_index(1));
+        --port.held;
+    }
+    if (port.held == input_queue_) {
         return false;
     }
-    if (port.waiting == static_cast<int>(port.arrived.size())) {
+    if (port.held == static_cast<int>(port.arrived.size())) {
         grow_arrived(port);
     }
-    const auto capacity = static_cast<std::uint32_t>(port.arrived.size());
     message->delivered = now;
-    port.arrived[(port.oldest_arrived + static_cast<std::uint32_t>(port.waiting)) % capacity] =
-        message;
+    port.arrived[port.ring_index(port.held)].message = message;
+    ++port.held;
     ++port.waiting;
     ++total_waiting_;
-    port.statistics.peak_input_queue = std::max(port.statistics.peak_input_queue, port.waiting);
+    port.statistics.peak_input_queue = std::max(port.statistics.peak_input_queue, port.held);
     return true;
 }
 
@@ -169,16 +172,16 @@ std::optional<int> MessagePorts::longest_waiting() const {
     return longest;
 }
 
-const Message& MessagePorts::oldest(int port) const {
-    return *at(port).arrived[at(port).oldest_arrived];
+const Message& MessagePorts::oldest(int port_number) const {
+    const Port& port = at(port_number);
+    return *port.arrived[port.ring_index(port.held - port.waiting)].message;
 }
 
-void MessagePorts::consume_oldest(int port_number) {
+void MessagePorts::consume_oldest(int port_number, Time when) {
     Port& port = at(port_number);
     ++port.statistics.messages_received;
     port.statistics.bytes_received += static_cast<std::int64_t>(oldest(port_number).bytes.size());
-    port.oldest_arrived =
-        (port.oldest_arrived + 1) % static_cast<std::uint32_t>(port.arrived.size());
+    port.arrived[port.ring_index(port.held - port.waiting)].consumed = when;
     --port.waiting;
     --total_waiting_;
 }

@@ -76,9 +76,14 @@ class MessagePorts {
     // The port whose oldest message has waited longest, the lowest such port.
     std::optional<int> longest_waiting() const;
     const Message& oldest(int port) const;  // waiting(port) > 0
-    void consume_oldest(int port);          // likewise
+    // Likewise. `when` may lie ahead of what has been delivered: the place is taken until then.
+    void consume_oldest(int port, Time when);
 
   private:
+    struct Arrived {
+        Message* message = nullptr;
+        Time consumed;  // once it is
+    };
     struct Port {
         // Output: places are used in turn. There are as many as messages can be under way (output
         // and input queue).
@@ -90,12 +95,17 @@ class MessagePorts {
         bool link_ready = true;
         std::optional<Time> blocked_since;
         // Input: a ring, which grows up to the input queue's places as they are needed.
-        std::vector<Message*> arrived;
+        std::vector<Arrived> arrived;
         std::uint32_t oldest_arrived = 0;
+        int held = 0;  // places of the ring in use: at first those of messages consumed, when a
+                       // later one was delivered last, then those of the ones that wait
         int waiting = 0;
         PortStatistics statistics;
 
         int queued() const { return used - (in_transfer ? 1 : 0); }
+        std::size_t ring_index(int place) const {
+            return (oldest_arrived + static_cast<std::size_t>(place)) % arrived.size();
+        }
     };
 
     Port& at(int port) { return ports_[static_cast<std::size_t>(port)]; }

@@ -20,7 +20,7 @@ constexpr int kMaxAdvances = 4'096;
 constexpr int kMaxStepsInNoTime = 1'000'000;
 // Cycles of a slice put off that are executed at a time: few at first, so that the next access is
 // soon known; then more, so that the way to and fro costs nothing.
-constexpr std::int64_t kFirstPart = 32;
+constexpr std::int64_t kFirstPart = 128;
 constexpr std::int64_t kLargestPart = 4'096;
 
 }  // namespace
@@ -63,7 +63,7 @@ void Processor::handle(const Event& event) {
 // Executes until control has to go back to the event queue.
 void Processor::proceed() {
     advances_ = 0;
-    slice_left_ = kSlice;
+    begin_slice();
     execute();
     meter_.count(core_->instructions_retired(), cycles_executed_);
 }
@@ -95,6 +95,11 @@ void Processor::execute() {
                 break;
         }
     }
+}
+
+void Processor::begin_slice() {
+    slice_began_ = now();
+    slice_left_ = kSlice;
 }
 
 bool Processor::put_off_slice() {
@@ -131,12 +136,12 @@ int Processor::weight() const {
 bool Processor::reach_local_time() {
     if (!works_ahead_) {
         if (now() == local_time_) {
-            slice_left_ = kSlice;
+            begin_slice();
             return true;
         }
         if (settings_.run_ahead && ++advances_ < kMaxAdvances &&
             scheduler().advance_to(own_key(local_time_))) {
-            slice_left_ = kSlice;
+            begin_slice();
             return true;
         }
     }

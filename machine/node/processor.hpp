@@ -8,7 +8,8 @@
 // Running ahead. Private instructions cost no event: the core runs until its next access to the I/O
 // page, which may be far ahead of the rest of the machine, and only there lets the others catch up
 // (reach_local_time). CREDIT, TXADDR and MARK need nobody to catch up: their effects leave with the
-// core's own time. While a port's interrupt is enabled the core runs only to its horizon, the
+// core's own time. Nor does an access that concerns a message which waited already when everybody
+// had caught up last. While a port's interrupt is enabled the core runs only to its horizon, the
 // earliest time at which anything else happens. A slice of the budget bounds every run, so that the
 // event loop sees even a program that loops for ever. None of this changes what is computed, or
 // when.
@@ -105,6 +106,7 @@ class Processor final : public Component, private isa::Bus {
     // processor.cpp: events and the loop of execution.
     void proceed();
     void execute();
+    void begin_slice();
     void finish_slice();
     bool put_off_slice();
     bool run_private_instructions();
@@ -141,6 +143,10 @@ class Processor final : public Component, private isa::Bus {
     Status stall(Stall kind, std::uint32_t argument);
     Status refuse(std::string what);
     bool wait_mask_holds(std::uint32_t mask) const;
+    bool is_known_to_wait(std::optional<int> port) const;
+    bool runs_freely() const;
+    bool is_foreseen(const RegisterAddress& read) const;
+    bool is_foreseen(const RegisterAddress& written, std::uint32_t value) const;
     void tell_consumed(const Message& message) const;
     void transmit();
     void enable_interrupt(int port, bool receive, bool enable);
@@ -173,6 +179,7 @@ class Processor final : public Component, private isa::Bus {
     std::int64_t cycles_executed_ = 0;
     Time local_time_;   // of that edge
     int advances_ = 0;  // without the event queue, since the processor was last given control
+    Time slice_began_;  // everybody had caught up then
     std::int64_t slice_left_ = 0;  // cycles that may be executed before the others catch up
     std::int64_t part_ = 0;        // cycles of a slice put off to be executed next
     bool slice_put_off_ = false;

@@ -27,12 +27,48 @@ bool needs_exact_time(const RegisterAddress& address, bool writes) {
 
 }  // namespace
 
+// A message that waited when the slice began still waits, and has waited longer than any that came
+// later. (That others have come since would be known in some executions only.)
+bool Processor::is_known_to_wait(std::optional<int> port) const {
+    return port && ports_.receives(*port) && ports_.waiting(*port) > 0 &&
+           ports_.oldest(*port).delivered <= slice_began_;
+}
+
+bool Processor::runs_freely() const {
+    return settings_.run_ahead && enabled_interrupts_ == 0;
+}
+
+bool Processor::is_foreseen(const RegisterAddress& read) const {
+    if (!runs_freely()) {
+        return false;
+    }
+    if (read.port) {
+        const auto which = static_cast<PortRegister>(read.offset);
+        return (which == PortRegister::rxstat || which == PortRegister::rxlen) &&
+               is_known_to_wait(read.port);
+    }
+    return static_cast<NodeRegister>(read.offset) == NodeRegister::rxany &&
+           is_known_to_wait(ports_.longest_waiting());
+}
+
+bool Processor::is_foreseen(const RegisterAddress& written, std::uint32_t value) const {
+    if (!runs_freely()) {
+        return false;
+    }
+    if (written.port) {
+        return static_cast<PortRegister>(written.offset) == PortRegister::rxaddr &&
+               is_known_to_wait(written.port);
+    }
+    return static_cast<NodeRegister>(written.offset) == NodeRegister::waitfor &&
+           (value & kWaitMessage) != 0 && is_known_to_wait(ports_.longest_waiting());
+}
+
 isa::Bus::Read Processor::read(std::uint32_t address, int bytes) {
     const auto where = decode_register(address);
     if (!where || bytes != 2) {
         return {Status::fault, 0};
     }
-    if (needs_exact_time(*where, false) && !reach_local_time()) {
+    if (needs_exact_time(*where, false) && !is_foreseen(*where) && !reach_local_time()) {
         must_catch_up_ = true;
         return {Status::retry, 0};
     }
@@ -51,7 +87,7 @@ isa::Bus::Status Processor::write(std::uint32_t address, std::uint32_t value, in
     if (!where || bytes != 2) {
         return Status::fault;
     }
-    if (needs_exact_time(*where, true) && !reach_local_time()) {
+    if (needs_exact_time(*where, true) && !is_foreseen(*where, value) && !reach_local_time()) {
         must_catch_up_ = true;
         return Status::retry;
     }
@@ -203,8 +239,8 @@ isa::Bus::Status Processor::write_rxaddr(int port, std::uint32_t address) {
     }
     core_->write_memory(address, message.bytes);
     tell_consumed(message);
-    ports_.consume_oldest(port);
-    send(receive_port(port), static_cast<EventKind>(MessageEvent::credit), 0, now());
+    ports_.consume_oldest(port, local_time_);
+    send(receive_port(port), static_cast<EventKind>(MessageEvent::credit), 0, local_time_);
     if (ports_.waiting(port) == 0) {
         core_->withdraw_interrupt(kInterruptLevel, receive_vector(port));
     } else if (port_states_[static_cast<std::size_t>(port)].receive_interrupt) {
@@ -261,11 +297,11 @@ void Processor::transmit() {
 
 void Processor::tell_consumed(const Message& message) const {
     meter_.probe().tell([&](NodeListener& listener) {
-        listener.message_consumed({message.id, message.source, message.port, settings_.node,
-                                   static_cast<std::uint32_t>(message.bytes.size()),
-                                   message.bytes[0],
-                                   message.bytes.size() > 1 ? message.bytes[1] : std::uint8_t{0},
-                                   message.queued, message.started, message.delivered, now()});
+        listener.message_consumed(
+            {message.id, message.source, message.port, settings_.node,
+             static_cast<std::uint32_t>(message.bytes.size()), message.bytes[0],
+             message.bytes.size() > 1 ? message.bytes[1] : std::uint8_t{0}, message.queued,
+             message.started, message.delivered, local_time_});
     });
 }
 

@@ -4,58 +4,43 @@
 #include "machine/kernel/mailbox.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <deque>
+#include <optional>
 #include <utility>
-#include <variant>
 
 namespace rasterloom::observe {
 
 namespace {
 
-struct FrameEnd {
-    int frame = 0;
+// The end of a phase, or of a frame with its last phase.
+struct Ended {
     Time time;
+    std::optional<PhaseRecord> phase;
+    int frame = 0;
 };
 
 }  // namespace
 
-// A node consumes a message as its own work, the supervisor ends a phase when something arrives:
-// hence the phases of the event order. What one component tells stays in order.
-struct RecordMerger::Record {
-    Time time;
-    EventPhase phase = EventPhase::work;
-    ComponentId component{};
-    std::variant<MessageRecord, PhaseRecord, FrameEnd> what;
-};
-
 class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
                                                        public SupervisorListener {
   public:
-    explicit Keeper(const std::vector<ComponentId>& component_of) : component_of_(component_of) {}
-
-    void message_consumed(const MessageRecord& record) override {
-        records.push_back(
-            {record.consumed, EventPhase::work, component_of_[record.destination], record});
-    }
-    void interval_ended(const StateInterval& interval) override { intervals.push_back(interval); }
+    void message_consumed(const MessageRecord& record) override { messages.push_back(record); }
     void phase_ended(const PhaseRecord& record) override {
-        records.push_back({record.ended, EventPhase::arrival, {}, record});
+        ended.push_back({record.ended, record, 0});
     }
     void frame_ended(int frame, Time time) override {
-        records.push_back({time, EventPhase::arrival, {}, FrameEnd{frame, time}});
+        ended.push_back({time, std::nullopt, frame});
     }
 
-    std::vector<Record> records;
-    std::vector<StateInterval> intervals;
-
-  private:
-    const std::vector<ComponentId>& component_of_;
+    std::vector<MessageRecord> messages;
+    std::size_t told = 0;  // of them
+    std::deque<Ended> ended;
 };
 
 RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of)
     : component_of_(std::move(component_of)) {
     for (std::size_t partition = 0; partition < partitions; ++partition) {
-        keepers_.push_back(std::make_unique<Keeper>(component_of_));
+        keepers_.push_back(std::make_unique<Keeper>());
     }
 }
 
@@ -69,40 +54,68 @@ SupervisorListener& RecordMerger::for_supervisor(std::size_t partition) {
     return *keepers_[partition];
 }
 
-void RecordMerger::sort(std::vector<Record>& records) const {
-    std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b) {
-        return std::tuple(a.time, a.phase, a.component) < std::tuple(b.time, b.phase, b.component);
-    });
+bool RecordMerger::precedes(const MessageRecord& a, const MessageRecord& b) const {
+    return a.consumed != b.consumed ? a.consumed < b.consumed
+                                    : component_of_[a.destination] < component_of_[b.destination];
 }
 
-void RecordMerger::flush() {
-    std::vector<Record> records;
-    for (const auto& keeper : keepers_) {
-        std::move(keeper->records.begin(), keeper->records.end(), std::back_inserter(records));
-        keeper->records.clear();
-        for (NodeListener* listener : node_listeners_) {
-            for (const StateInterval& interval : keeper->intervals) {
-                listener->interval_ended(interval);
-            }
-        }
-        keeper->intervals.clear();
+void RecordMerger::tell(const MessageRecord& message) const {
+    for (NodeListener* listener : node_listeners_) {
+        listener->message_consumed(message);
     }
-    sort(records);
-    for (const Record& record : records) {
-        if (const auto* message = std::get_if<MessageRecord>(&record.what)) {
-            for (NodeListener* listener : node_listeners_) {
-                listener->message_consumed(*message);
+}
+
+// A node consumes a message as its own work, the supervisor ends a phase when something arrives:
+// what arrives comes before the work of that time.
+void RecordMerger::tell_phases(Time until) {
+    for (const auto& keeper : keepers_) {
+        while (!keeper->ended.empty() && keeper->ended.front().time <= until) {
+            const Ended& ended = keeper->ended.front();
+            for (SupervisorListener* listener : supervisor_listeners_) {
+                if (ended.phase) {
+                    listener->phase_ended(*ended.phase);
+                } else {
+                    listener->frame_ended(ended.frame, ended.time);
+                }
             }
-            continue;
+            keeper->ended.pop_front();
         }
-        for (SupervisorListener* listener : supervisor_listeners_) {
-            if (const auto* phase = std::get_if<PhaseRecord>(&record.what)) {
-                listener->phase_ended(*phase);
-            } else {
-                const auto& end = std::get<FrameEnd>(record.what);
-                listener->frame_ended(end.frame, end.time);
+    }
+}
+
+// What one node tells is in order already.
+void RecordMerger::sort_messages() {
+    for (const auto& keeper : keepers_) {
+        std::stable_sort(
+            keeper->messages.begin(), keeper->messages.end(),
+            [this](const MessageRecord& a, const MessageRecord& b) { return precedes(a, b); });
+    }
+}
+
+void RecordMerger::flush(Time reached) {
+    sort_messages();
+    while (true) {
+        Keeper* first = nullptr;
+        for (const auto& keeper : keepers_) {
+            if (keeper->told < keeper->messages.size() &&
+                (first == nullptr ||
+                 precedes(keeper->messages[keeper->told], first->messages[first->told]))) {
+                first = keeper.get();
             }
         }
+        if (first == nullptr || first->messages[first->told].consumed >= reached) {
+            break;
+        }
+        const MessageRecord& message = first->messages[first->told++];
+        tell_phases(message.consumed);
+        tell(message);
+    }
+    tell_phases(reached);
+    for (const auto& keeper : keepers_) {
+        keeper->messages.erase(
+            keeper->messages.begin(),
+            keeper->messages.begin() + static_cast<std::ptrdiff_t>(keeper->told));
+        keeper->told = 0;
     }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Listeners of a machine whose partitions run at once: what nodes and supervisor tell is kept, by
-// partition, and told to the real listeners from time to time, in the order in which one partition
-// alone would have told it.
+// Brings what nodes and supervisor tell into the order of events: processors run ahead of each
+// other, and partitions run at once. Messages and phases are kept, by partition, and told to the
+// real listeners from time to time.
 //
-// Taps cannot be kept, since they show a core as it is at that moment: whoever wants them attaches
-// to the nodes directly, keeps what belongs to different nodes apart, and is told on the threads
-// that run them.
+// States of nodes and taps are not kept: they come in no order among nodes, and a tap shows a core
+// as it is at that moment. Whoever wants them attaches to the nodes directly, keeps what belongs to
+// different nodes apart, and is told on the threads that run them.
 #pragma once
 
 #include "machine/fabric/supervisor.hpp"
@@ -34,14 +34,17 @@ class RecordMerger {
     void forward_to(NodeListener& listener) { node_listeners_.push_back(&listener); }
     void forward_to(SupervisorListener& listener) { supervisor_listeners_.push_back(&listener); }
 
-    // Tells what has been kept. To be called while the machine does not run, and after the end.
-    void flush();
+    // Tells what happened before `reached`. To be called while the machine does not run and has
+    // come to that time: a record may lie ahead of it, but none comes later that lies before.
+    void flush(Time reached);
 
   private:
     class Keeper;
-    struct Record;
 
-    void sort(std::vector<Record>& records) const;
+    void tell(const MessageRecord& message) const;
+    void tell_phases(Time until);
+    void sort_messages();
+    bool precedes(const MessageRecord& a, const MessageRecord& b) const;
 
     std::vector<ComponentId> component_of_;
     std::vector<std::unique_ptr<Keeper>> keepers_;  // [partition]

@@ -75,7 +75,7 @@ TEST(MessagePorts, FindTheMessageThatHasWaitedLongestThenTheLowestPort) {
     EXPECT_TRUE(ports.deliver(0, &late, at(2)));
     for (const int expected : {1, 2, 0}) {
         EXPECT_EQ(ports.longest_waiting(), expected);
-        ports.consume_oldest(expected);
+        ports.consume_oldest(expected, at(3));
     }
     EXPECT_FALSE(ports.any_waiting());
 }
@@ -86,6 +86,20 @@ TEST(MessagePorts, RefuseMoreThanTheInputQueueHolds) {
     EXPECT_TRUE(ports.deliver(0, &messages[0], at(1)));
     EXPECT_TRUE(ports.deliver(0, &messages[1], at(1)));
     EXPECT_FALSE(ports.deliver(0, &messages[2], at(1)));
+}
+
+TEST(MessagePorts, CountAPlaceAsTakenUntilItsMessageIsConsumed) {
+    MessagePorts ports = make_ports(SendPolicy::each_port);
+    std::array<Message, 4> messages;
+    EXPECT_TRUE(ports.deliver(0, &messages[0], at(1)));
+    ports.consume_oldest(0, at(10));  // by a processor that is ahead
+    EXPECT_EQ(ports.waiting(0), 0);
+    EXPECT_TRUE(ports.deliver(0, &messages[1], at(5)));
+    EXPECT_EQ(&ports.oldest(0), &messages[1]);
+    EXPECT_FALSE(ports.deliver(0, &messages[2], at(10)));  // messages come before work
+    EXPECT_TRUE(ports.deliver(0, &messages[2], at(11)));
+    EXPECT_EQ(ports.waiting(0), 2);
+    EXPECT_EQ(ports.statistics(0).peak_input_queue, 2);
 }
 
 TEST(MessagePorts, RefuseSettingsOutOfRange) {

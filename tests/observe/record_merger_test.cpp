@@ -36,9 +36,6 @@ class Scribe final : public NodeListener, public SupervisorListener {
     void message_consumed(const MessageRecord& record) override {
         told.push_back("message " + std::to_string(record.id));
     }
-    void interval_ended(const StateInterval& interval) override {
-        told.push_back("interval of " + std::to_string(interval.node));
-    }
     void phase_ended(const PhaseRecord& record) override {
         told.push_back("phase " + std::to_string(record.number));
     }
@@ -64,7 +61,7 @@ TEST(RecordMerger, TellsInTheOrderInWhichOnePartitionWouldHave) {
     m.merger.for_nodes(0).message_consumed(message(0, 2, 20));
     m.merger.for_nodes(1).message_consumed(message(1, 3, 5));
     m.merger.for_nodes(1).message_consumed(message(1, 4, 20));
-    m.merger.flush();
+    m.merger.flush(Time::never());
     EXPECT_THAT(m.scribe.told, ElementsAre("message 3", "message 1", "message 4", "message 2"));
 }
 
@@ -74,7 +71,7 @@ TEST(RecordMerger, EndsAPhaseBeforeWhatHappensAtThatTimeInTheNext) {
     m.merger.for_nodes(0).message_consumed(message(0, 2, 11));
     m.merger.for_supervisor(2).phase_ended(phase(0, 11));
     m.merger.for_supervisor(2).frame_ended(0, at(11));
-    m.merger.flush();
+    m.merger.flush(Time::never());
     EXPECT_THAT(m.scribe.told, ElementsAre("message 1", "phase 0", "frame 0", "message 2"));
 }
 
@@ -83,19 +80,29 @@ TEST(RecordMerger, KeepsWhatOneNodeTellsAtOneTimeInOrder) {
     for (std::uint64_t id = 0; id < 3; ++id) {
         m.merger.for_nodes(1).message_consumed(message(1, id, 10));
     }
-    m.merger.flush();
+    m.merger.flush(Time::never());
     EXPECT_THAT(m.scribe.told, ElementsAre("message 0", "message 1", "message 2"));
+}
+
+TEST(RecordMerger, KeepsWhatLiesAheadOfTheOthers) {
+    Merging m;
+    m.merger.for_nodes(0).message_consumed(message(0, 1, 30));
+    m.merger.for_nodes(0).message_consumed(message(1, 2, 10));  // another node of the partition
+    m.merger.flush(at(20));
+    EXPECT_THAT(m.scribe.told, ElementsAre("message 2"));
+    m.merger.for_nodes(1).message_consumed(message(1, 3, 25));
+    m.merger.flush(at(40));
+    EXPECT_THAT(m.scribe.told, ElementsAre("message 2", "message 3", "message 1"));
 }
 
 TEST(RecordMerger, TellsEverythingOnce) {
     Merging m;
     m.merger.for_nodes(0).message_consumed(message(0, 1, 10));
-    m.merger.for_nodes(0).interval_ended({});
-    m.merger.flush();
-    m.merger.flush();
+    m.merger.flush(Time::never());
+    m.merger.flush(Time::never());
     m.merger.for_nodes(1).message_consumed(message(1, 2, 12));
-    m.merger.flush();
-    EXPECT_THAT(m.scribe.told, ElementsAre("interval of 0", "message 1", "message 2"));
+    m.merger.flush(Time::never());
+    EXPECT_THAT(m.scribe.told, ElementsAre("message 1", "message 2"));
 }
 
 }  // namespace
