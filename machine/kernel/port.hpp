@@ -16,7 +16,7 @@ class Mailbox;
 class Port {
   public:
     Port(std::string name, bool may_stay_open)
-        : name_(std::move(name)), may_stay_open_(may_stay_open) {}
+        : may_stay_open_(may_stay_open), name_(std::move(name)) {}
 
     const std::string& name() const { return name_; }
     bool may_stay_open() const { return may_stay_open_; }  // a machine without a wire here is whole
@@ -31,13 +31,14 @@ class Port {
     friend class Component;
     friend class Simulation;
 
-    std::string name_;
-    bool may_stay_open_;
+    // What sending needs stands together.
     Duration latency_;
-    Duration least_delay_;
     Mailbox* mailbox_ = nullptr;  // of the peer's partition; none: it is in this one
     ComponentId peer_{};
     PortIndex peer_port_{};
+    bool may_stay_open_;
+    Duration least_delay_;
+    std::string name_;
 };
 
 }  // namespace rasterloom

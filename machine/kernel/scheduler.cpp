@@ -56,11 +56,17 @@ void Scheduler::begin_run(EventKey limit) {
     stop_requested_ = false;
 }
 
-void Scheduler::handle_next() {
+inline void Scheduler::handle_next() {
     const Event event = queue_.pop();
     current_ = event.key;
     ++events_handled_;
     (*components_)[static_cast<std::size_t>(event.target())]->handle(event);
+}
+
+void Scheduler::run_alone() {
+    while (!stop_requested_ && queue_.next_key() < bound_) {
+        handle_next();
+    }
 }
 
 void Scheduler::run_to_bound() {

@@ -78,6 +78,9 @@ class Scheduler {
     void lower_limit(EventKey key);
 
     void begin_run(EventKey limit);
+    // Handles all events before the bound. Without private work put off: nobody waits for this
+    // partition.
+    void run_alone();
     // Handles all events before the bound; does private work that has not come to it yet.
     void run_to_bound();
     void handle_next();

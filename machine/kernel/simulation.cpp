@@ -160,21 +160,13 @@ RunResult Simulation::run(Time limit) {
     if (rounds_) {
         rounds_->run();
     } else {
-        run_alone();
+        schedulers_[0]->run_alone();
     }
     const RunResult result = conclude(limit_key);
     if (result.end == RunEnd::failed) {
         failed_ = result;
     }
     return result;
-}
-
-// Without private work put off: nobody waits for this partition.
-void Simulation::run_alone() {
-    Scheduler& scheduler = *schedulers_[0];
-    while (!scheduler.stop_requested_ && scheduler.queue_.next_key() < scheduler.bound_) {
-        scheduler.handle_next();
-    }
 }
 
 // The run has ended because somebody asked for it. Of several, what comes first counts: it would

@@ -83,7 +83,6 @@ class Simulation {
     void divide(const PartitionPlan& plan, LookaheadTable lookaheads);
     PartitionProblem problem(std::size_t threads) const;
     void start_components();
-    void run_alone();
     RunResult conclude(EventKey limit);
     RunResult ended_early(EventKey limit) const;
 
