@@ -130,10 +130,10 @@ bool loses_rows(std::span<const PolygonVertex> outline, const std::vector<Polygo
             all.add(end.most);
         }
     }
-    const int both =
-        std::min(low_end.most, high_end.most) - std::max(low_end.least, high_end.least);
-    if (!low_end.empty() && !high_end.empty() && both > 0) {
-        kept -= both;
+    if (!low_end.empty() && !high_end.empty()) {
+        const int both =
+            std::min(low_end.most, high_end.most) - std::max(low_end.least, high_end.least);
+        kept -= std::max(both, 0);
     }
     return all.length() - kept > kept;
 }
