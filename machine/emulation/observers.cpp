@@ -18,7 +18,9 @@ std::vector<ComponentId> ids(const Machine& machine) {
 }  // namespace
 
 Observers::Observers(Machine& machine, observe::PhaseLog& phases, NodeListener* messages)
-    : merger_(machine.simulation().partitions(), ids(machine)) {
+    : merger_(machine.simulation().partitions(), ids(machine),
+              messages != nullptr ? observe::RecordMerger::Order::of_events
+                                  : observe::RecordMerger::Order::by_phase) {
     merger_.forward_to(static_cast<NodeListener&>(phases));
     merger_.forward_to(static_cast<SupervisorListener&>(phases));
     if (messages != nullptr) {

@@ -32,6 +32,8 @@ class Component {
     // What the component waits for ("a message at port 3"), if it is not content to stop here: read
     // when no event is left.
     virtual std::optional<std::string> waits_for() const { return std::nullopt; }
+    // How far the component has come, if further than the last event: read at the same moment.
+    virtual Time reached() const { return Time::zero(); }
     // Goes on with work that was put off (Scheduler::put_off): a part of it, which puts off the
     // rest, or to the end.
     virtual void work_ahead(bool /*to_the_end*/) {}

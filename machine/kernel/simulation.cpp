@@ -201,15 +201,17 @@ RunResult Simulation::conclude(EventKey limit) {
         return ended_early(limit);
     }
     std::vector<Deadlock::Waiter> waiters;
+    Time end = now();
     for (const auto& component : components_) {
+        end = std::max(end, component->reached());
         if (auto reason = component->waits_for()) {
             waiters.push_back({component->name(), std::move(*reason)});
         }
     }
     if (waiters.empty()) {
-        return {RunEnd::finished, now(), nullptr};
+        return {RunEnd::finished, end, nullptr};
     }
-    return {RunEnd::failed, now(), std::make_shared<Deadlock>(now(), std::move(waiters))};
+    return {RunEnd::failed, end, std::make_shared<Deadlock>(end, std::move(waiters))};
 }
 
 }  // namespace rasterloom

@@ -28,20 +28,32 @@ void ActivityMeter::end_interval(NodeState state, Time until) {
     interval_from_ = until;
 }
 
-void ActivityMeter::begin_stall(Time time) {
+void ActivityMeter::count(Executed executed) {
+    statistics_.phases[counted_to_].instructions +=
+        executed.instructions - statistics_.instructions;
+    statistics_.instructions = executed.instructions;
+    statistics_.cycles = executed.cycles;
+}
+
+void ActivityMeter::begin_stall(Time time, Executed executed) {
+    if (mode_ != Mode::busy) {
+        return;
+    }
     book(NodeState::busy, time);
     end_interval(NodeState::busy, time);
+    count(executed);
     mode_ = Mode::stalled;
 }
 
 void ActivityMeter::end_stall(NodeState kind, Time time) {
     book(kind, time);
     end_interval(kind, time);
+    counted_to_ = statistics_.phases.size() - 1;
     mode_ = Mode::busy;
 }
 
-void ActivityMeter::halt(Time time) {
-    begin_stall(time);
+void ActivityMeter::halt(Time time, Executed executed) {
+    begin_stall(time, executed);
     mode_ = Mode::halted;
 }
 
@@ -52,22 +64,20 @@ void ActivityMeter::mark(std::uint8_t activity, Time time) {
     }
 }
 
-void ActivityMeter::begin_phase(Time now, NodeState kind_of_stall, std::int64_t instructions) {
+void ActivityMeter::see_phase(Executed executed) {
+    count(executed);
+    counted_to_ = statistics_.phases.size() - 1;
+}
+
+void ActivityMeter::begin_phase(Time now, NodeState kind_of_stall) {
     if (mode_ != Mode::halted) {
         book(mode_ == Mode::busy ? NodeState::busy : kind_of_stall, now);
     }
-    statistics_.phases.back().instructions = instructions - instructions_before_phase_;
-    instructions_before_phase_ = instructions;
     statistics_.phases.emplace_back();
 }
 
-void ActivityMeter::count(std::int64_t instructions, std::int64_t cycles) {
-    statistics_.phases.back().instructions = instructions - instructions_before_phase_;
-    statistics_.instructions = instructions;
-    statistics_.cycles = cycles;
-}
-
-void ActivityMeter::close(NodeState kind_of_stall, Time time) {
+void ActivityMeter::close(NodeState kind_of_stall, Time time, Executed executed) {
+    count(executed);
     if (mode_ != Mode::halted) {
         const NodeState state = mode_ == Mode::busy ? NodeState::busy : kind_of_stall;
         book(state, time);

@@ -3,12 +3,15 @@
 // exact time.
 //
 // A processor may run ahead of the simulation and learn of a new phase late. Busy time is therefore
-// booked to a phase only when the stretch of busy time ends, or when the next phase begins.
+// booked to a phase only when the stretch of busy time ends, or when the next phase begins;
+// instructions belong to the phase in which their stretch began, or which the program saw last
+// within it.
 #pragma once
 
 #include "machine/kernel/probe.hpp"
 #include "machine/node/node_statistics.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace rasterloom {
@@ -18,22 +21,28 @@ class ActivityMeter {
     // Busy from time zero.
     explicit ActivityMeter(NodeIndex node) : node_(node) { statistics_.phases.emplace_back(); }
 
-    // Busy until `time`, where a stall begins...
-    void begin_stall(Time time);
+    // What a processor has done since the run began.
+    struct Executed {
+        std::int64_t instructions = 0;
+        std::int64_t cycles = 0;
+    };
+
+    // Busy until `time`, where a stall begins. Nothing happens when one is in progress...
+    void begin_stall(Time time, Executed executed);
     // ...which is over at `time`, and was of this kind.
     void end_stall(NodeState kind, Time time);
     // Halted for good at `time`.
-    void halt(Time time);
+    void halt(Time time, Executed executed);
     // The program names another activity at `time`; it goes on being busy.
     void mark(std::uint8_t activity, Time time);
 
-    // The next phase begins at `now`, when `instructions` have been retired in all. A stall in
-    // progress is booked as `kind_of_stall` as far as it belongs to the old phase.
-    void begin_phase(Time now, NodeState kind_of_stall, std::int64_t instructions);
-    // Brings the instruction and cycle counts up to date.
-    void count(std::int64_t instructions, std::int64_t cycles);
+    // The program has seen which phase it is: what follows belongs to that.
+    void see_phase(Executed executed);
+    // The next phase begins at `now`. A stall in progress is booked as `kind_of_stall` as far as it
+    // belongs to the old phase.
+    void begin_phase(Time now, NodeState kind_of_stall);
     // Ends what is in progress at `time`, when the run is over.
-    void close(NodeState kind_of_stall, Time time);
+    void close(NodeState kind_of_stall, Time time, Executed executed);
 
     const NodeStatistics& statistics() const { return statistics_; }
     Probe<NodeListener>& probe() { return probe_; }
@@ -44,13 +53,14 @@ class ActivityMeter {
 
     void book(NodeState state, Time until);
     void end_interval(NodeState state, Time until);
+    void count(Executed executed);
 
     NodeIndex node_;
     Mode mode_ = Mode::busy;
     std::uint8_t activity_ = 0;
-    Time interval_from_;  // of the interval in progress, for listeners and activities
-    Time booked_until_;   // up to here time is booked to phases
-    std::int64_t instructions_before_phase_ = 0;
+    Time interval_from_;          // of the interval in progress, for listeners and activities
+    Time booked_until_;           // up to here time is booked to phases
+    std::size_t counted_to_ = 0;  // the phase that instructions belong to now
     NodeStatistics statistics_;
     Probe<NodeListener> probe_;
 };

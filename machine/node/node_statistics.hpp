@@ -12,8 +12,9 @@ namespace rasterloom {
 
 struct NodePhaseStatistics {
     std::array<Duration, kNodeStates> in_state{};  // indexed by NodeState
-    std::int64_t instructions =
-        0;  // counted whole to the phase in which the processor began to run them ahead
+    // Those between two stalls belong to the phase in which the first of them was executed; after
+    // the program has read PHASE, to that one.
+    std::int64_t instructions = 0;
 };
 
 struct NodeStatistics {

@@ -11,8 +11,8 @@ namespace rasterloom {
 
 namespace {
 
-// Cycles that a core runs without coming back: long enough to cost nothing, short enough for a
-// progress bar.
+// A core runs on to the next multiple of so many cycles without coming back: far enough to cost
+// nothing, near enough for a progress bar.
 constexpr std::int64_t kSlice = 65'536;
 // Accesses to the I/O page in a row without the event queue, likewise.
 constexpr int kMaxAdvances = 4'096;
@@ -63,9 +63,7 @@ void Processor::handle(const Event& event) {
 // Executes until control has to go back to the event queue.
 void Processor::proceed() {
     advances_ = 0;
-    begin_slice();
     execute();
-    meter_.count(core_->instructions_retired(), cycles_executed_);
 }
 
 void Processor::execute() {
@@ -82,7 +80,7 @@ void Processor::execute() {
                 going = finish_wait();
                 break;
             case Next::halt:
-                meter_.halt(local_time_);
+                meter_.halt(local_time_, executed());
                 next_ = Next::nothing;
                 going = false;
                 break;
@@ -95,11 +93,6 @@ void Processor::execute() {
                 break;
         }
     }
-}
-
-void Processor::begin_slice() {
-    slice_began_ = now();
-    slice_left_ = kSlice;
 }
 
 bool Processor::put_off_slice() {
@@ -135,13 +128,8 @@ int Processor::weight() const {
 // the processor has to give up control, and will be given it back at that time.
 bool Processor::reach_local_time() {
     if (!works_ahead_) {
-        if (now() == local_time_) {
-            begin_slice();
-            return true;
-        }
-        if (settings_.run_ahead && ++advances_ < kMaxAdvances &&
-            scheduler().advance_to(own_key(local_time_))) {
-            begin_slice();
+        if (now() == local_time_ || (settings_.run_ahead && ++advances_ < kMaxAdvances &&
+                                     scheduler().advance_to(own_key(local_time_)))) {
             return true;
         }
     }
@@ -149,12 +137,17 @@ bool Processor::reach_local_time() {
     return false;
 }
 
+std::int64_t Processor::slice_end(std::int64_t cycle) {
+    return (cycle / kSlice + 1) * kSlice;
+}
+
 std::int64_t Processor::budget() const {
     if (!settings_.run_ahead) {
         return 1;
     }
     if (enabled_interrupts_ == 0) {
-        return works_ahead_ ? std::min(part_, slice_left_) : slice_left_;
+        const std::int64_t slice = slice_end(cycle_) - cycle_;
+        return works_ahead_ ? std::min(part_, slice) : slice;
     }
     // The next event anywhere can reach this node one tick later at the earliest; one that reaches
     // it now has come already.
@@ -170,7 +163,6 @@ void Processor::spend(std::int64_t cycles) {
     if (cycles > 0) {
         cycle_ += cycles;
         cycles_executed_ += cycles;
-        slice_left_ -= cycles;
         local_time_ = settings_.clock.edge(Cycles(cycle_));
         steps_in_no_time_ = 0;
     }
@@ -180,16 +172,20 @@ bool Processor::run_private_instructions() {
     if (enabled_interrupts_ > 0 && !reach_local_time()) {
         return false;
     }
-    if (enabled_interrupts_ == 0 && slice_left_ <= 0) {
-        return reach_local_time();
-    }
     if (!works_ahead_ && enabled_interrupts_ == 0 && settings_.run_ahead &&
         scheduler().puts_work_off()) {
         part_ = kFirstPart;
         return put_off_slice();
     }
     interrupt_requested_ = false;
-    return settle(core_->run(budget()));
+    const std::int64_t end = slice_end(cycle_);
+    const isa::Stop stop = core_->run(budget());
+    if (works_ahead_ && stop.reason == isa::StopReason::budget && cycle_ + stop.cycles < end) {
+        spend(stop.cycles);
+        part_ = std::min(2 * part_, kLargestPart);
+        return put_off_slice();
+    }
+    return settle(stop);
 }
 
 bool Processor::step_io_instruction() {
@@ -212,9 +208,6 @@ bool Processor::step_io_instruction() {
                 core_->program_counter());
         }
         return settle(stop);
-    }
-    if (!must_catch_up_) {
-        meter_.begin_stall(local_time_);
     }
     return false;
 }
@@ -240,10 +233,6 @@ bool Processor::settle(const isa::Stop& stop) {
             if (next_ == Next::step) {  // an access, not a slice: private instructions follow
                 next_ = Next::run;
                 return true;
-            }
-            if (works_ahead_ && slice_left_ > 0) {
-                part_ = std::min(2 * part_, kLargestPart);
-                return put_off_slice();
             }
             break;
         case isa::StopReason::tap:
@@ -275,7 +264,6 @@ bool Processor::finish_wait() {
         return true;
     }
     stall_ = Stall::interrupt;
-    meter_.begin_stall(local_time_);
     return false;
 }
 
@@ -324,13 +312,25 @@ NodeState Processor::kind_of_stall() const {
                                               : NodeState::waiting_input;
 }
 
+// What the processor waits for may come before it has got there, in its own time: then it never
+// stalls. So a stall is told when time has passed in it.
+void Processor::begin_stall_before(Time time) {
+    if (stall_ != Stall::none && local_time_ < time) {
+        meter_.begin_stall(local_time_, executed());
+    }
+}
+
 void Processor::resume() {
     const NodeState was = kind_of_stall();
-    cycle_ = std::max(cycle_, settings_.clock.edge_at_or_after(now()).count());
-    local_time_ = settings_.clock.edge(Cycles(cycle_));
-    meter_.end_stall(was, local_time_);
+    const std::int64_t cycle = settings_.clock.edge_at_or_after(now()).count();
+    if (cycle > cycle_) {
+        begin_stall_before(now());
+        cycle_ = cycle;
+        local_time_ = settings_.clock.edge(Cycles(cycle_));
+        meter_.end_stall(was, local_time_);
+    }
     stall_ = Stall::none;
-    if (settings_.run_ahead && scheduler().advance_to(own_key(local_time_))) {
+    if (runs_freely() || (settings_.run_ahead && scheduler().advance_to(own_key(local_time_)))) {
         proceed();
     } else {
         wake_at(local_time_, 0);
@@ -379,10 +379,10 @@ void Processor::handle_message(const Event& event) {
 }
 
 void Processor::handle_phase(std::uint16_t phase) {
-    finish_slice();  // its instructions are counted to the phase in which it began
     phase_ = phase;
     if (phase != kRunOver) {
-        meter_.begin_phase(now(), kind_of_stall(), core_->instructions_retired());
+        begin_stall_before(now());
+        meter_.begin_phase(now(), kind_of_stall());
     }
 }
 
@@ -413,7 +413,7 @@ GuestError::Details Processor::details(std::int64_t cycle, std::uint32_t program
 
 void Processor::fail() {
     next_ = Next::nothing;
-    meter_.halt(local_time_);
+    meter_.halt(local_time_, executed());
     GuestError::Details found = details(cycle_, error_at_, error_);
     for (std::size_t i = 0; i < settings_.register_names.size(); ++i) {
         found.registers.emplace_back(settings_.register_names[i], core_->reg(static_cast<int>(i)));
@@ -429,8 +429,8 @@ std::shared_ptr<const GuestError> Processor::mistake(Time time, std::uint32_t pr
 }
 
 void Processor::close_books(Time end) {
-    meter_.count(core_->instructions_retired(), cycles_executed_);
-    meter_.close(kind_of_stall(), std::max(end, local_time_));
+    begin_stall_before(end);
+    meter_.close(kind_of_stall(), std::max(end, local_time_), executed());
 }
 
 std::optional<std::string> Processor::waits_for() const {
@@ -475,7 +475,8 @@ std::string Processor::place(std::uint32_t program_counter) const {
 }
 
 std::optional<std::string> Processor::activity() const {
-    if (const auto waits = waits_for()) {
+    const auto waits = waits_for();
+    if (waits && local_time_ <= now()) {
         return fmt::format("{} waits for {}", name(), *waits);
     }
     if (halted()) {

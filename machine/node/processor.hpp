@@ -8,11 +8,12 @@
 // Running ahead. Private instructions cost no event: the core runs until its next access to the I/O
 // page, which may be far ahead of the rest of the machine, and only there lets the others catch up
 // (reach_local_time). CREDIT, TXADDR and MARK need nobody to catch up: their effects leave with the
-// core's own time. Nor does an access that concerns a message which waited already when everybody
-// had caught up last. While a port's interrupt is enabled the core runs only to its horizon, the
-// earliest time at which anything else happens. A slice of the budget bounds every run, so that the
-// event loop sees even a program that loops for ever. None of this changes what is computed, or
-// when.
+// core's own time. Nor does an access that takes or waits for what stays once it is there: a
+// message, room, another phase. When it is not there yet, the core rests at its own time; it goes
+// on from there when it comes earlier than that, and has stalled when it comes later. While a
+// port's interrupt is enabled the core runs only to its horizon, the earliest time at which
+// anything else happens. Every run ends at a multiple of so many cycles, so that the event loop
+// sees even a program that loops for ever. None of this changes what is computed, or when.
 //
 // Where several partitions run at once, a slice is put off as soon as it begins: its thread first
 // does what others may be waiting for, then goes on with slices, in small parts. Nobody can see
@@ -77,8 +78,6 @@ class Processor final : public Component, private isa::Bus {
     const FrameBuffer* frame_buffer() const { return frame_buffer_ ? &*frame_buffer_ : nullptr; }
     bool halted() const { return next_ == Next::nothing; }
     std::uint16_t phase() const { return phase_; }
-    // How far the processor has executed: at or after the simulation's now, unless it is stalled.
-    Time local_time() const { return local_time_; }
     const NodeStatistics& statistics() const { return meter_.statistics(); }
     Probe<NodeListener>& probe() { return meter_.probe(); }
     // Ends the interval in progress at `end`, for the books; to be called once, after the last run.
@@ -95,6 +94,8 @@ class Processor final : public Component, private isa::Bus {
     void handle(const Event& event) override;
     void work_ahead(bool to_the_end) override;
     std::optional<std::string> waits_for() const override;
+    // How far the processor has executed: at or after the simulation's now, unless it is stalled.
+    Time reached() const override { return local_time_; }
     int weight() const override;
 
   private:
@@ -106,7 +107,6 @@ class Processor final : public Component, private isa::Bus {
     // processor.cpp: events and the loop of execution.
     void proceed();
     void execute();
-    void begin_slice();
     void finish_slice();
     bool put_off_slice();
     bool run_private_instructions();
@@ -117,12 +117,17 @@ class Processor final : public Component, private isa::Bus {
     void spend(std::int64_t cycles);
     bool reach_local_time();
     std::int64_t budget() const;
+    static std::int64_t slice_end(std::int64_t cycle);
+    ActivityMeter::Executed executed() const {
+        return {core_->instructions_retired(), cycles_executed_};
+    }
     void handle_arrival(const Event& event);
     void handle_message(const Event& event);
     void handle_phase(std::uint16_t phase);
     bool stall_is_over() const;
     NodeState kind_of_stall() const;
     void resume();
+    void begin_stall_before(Time time);
     bool report_guest_error(std::string what, std::uint32_t program_counter);
     void fail();
     GuestError::Details details(std::int64_t cycle, std::uint32_t program_counter,
@@ -143,10 +148,11 @@ class Processor final : public Component, private isa::Bus {
     Status stall(Stall kind, std::uint32_t argument);
     Status refuse(std::string what);
     bool wait_mask_holds(std::uint32_t mask) const;
-    bool is_known_to_wait(std::optional<int> port) const;
+    bool is_known_to_wait(int port) const;
+    bool is_longest_known() const;
     bool runs_freely() const;
-    bool is_foreseen(const RegisterAddress& read) const;
-    bool is_foreseen(const RegisterAddress& written, std::uint32_t value) const;
+    bool is_foreseen_read(const RegisterAddress& address) const;
+    bool is_foreseen_write(const RegisterAddress& address) const;
     void tell_consumed(const Message& message) const;
     void transmit();
     void enable_interrupt(int port, bool receive, bool enable);
@@ -177,11 +183,9 @@ class Processor final : public Component, private isa::Bus {
     std::uint32_t error_at_ = 0;  // address of the instruction that made it
     std::int64_t cycle_ = 0;      // edge of the clock at which the next instruction begins
     std::int64_t cycles_executed_ = 0;
-    Time local_time_;   // of that edge
-    int advances_ = 0;  // without the event queue, since the processor was last given control
-    Time slice_began_;  // everybody had caught up then
-    std::int64_t slice_left_ = 0;  // cycles that may be executed before the others catch up
-    std::int64_t part_ = 0;        // cycles of a slice put off to be executed next
+    Time local_time_;        // of that edge
+    int advances_ = 0;       // without the event queue, since the processor was last given control
+    std::int64_t part_ = 0;  // cycles of a slice put off to be executed next
     bool slice_put_off_ = false;
     bool works_ahead_ = false;  // has no exact time: what needs one waits for an event
     int enabled_interrupts_ = 0;

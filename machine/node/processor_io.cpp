@@ -27,40 +27,43 @@ bool needs_exact_time(const RegisterAddress& address, bool writes) {
 
 }  // namespace
 
-// A message that waited when the slice began still waits, and has waited longer than any that came
-// later. (That others have come since would be known in some executions only.)
-bool Processor::is_known_to_wait(std::optional<int> port) const {
-    return port && ports_.receives(*port) && ports_.waiting(*port) > 0 &&
-           ports_.oldest(*port).delivered <= slice_began_;
+// A message that waits now still does at the core's own time.
+bool Processor::is_known_to_wait(int port) const {
+    return ports_.receives(port) && ports_.waiting(port) > 0;
+}
+
+// And it has waited longer than any that comes later; others may yet come at this very time.
+bool Processor::is_longest_known() const {
+    const auto port = ports_.longest_waiting();
+    return port && ports_.oldest(*port).delivered < now();
 }
 
 bool Processor::runs_freely() const {
     return settings_.run_ahead && enabled_interrupts_ == 0;
 }
 
-bool Processor::is_foreseen(const RegisterAddress& read) const {
+bool Processor::is_foreseen_read(const RegisterAddress& address) const {
     if (!runs_freely()) {
         return false;
     }
-    if (read.port) {
-        const auto which = static_cast<PortRegister>(read.offset);
+    if (address.port) {
+        const auto which = static_cast<PortRegister>(address.offset);
         return (which == PortRegister::rxstat || which == PortRegister::rxlen) &&
-               is_known_to_wait(read.port);
+               is_known_to_wait(*address.port);
     }
-    return static_cast<NodeRegister>(read.offset) == NodeRegister::rxany &&
-           is_known_to_wait(ports_.longest_waiting());
+    return static_cast<NodeRegister>(address.offset) == NodeRegister::rxany && is_longest_known();
 }
 
-bool Processor::is_foreseen(const RegisterAddress& written, std::uint32_t value) const {
+// What RXADDR and WAITFOR wait for stays once it is there. So it does not matter when it comes, as
+// long as it is not after the core's own time; else the processor stalls from then on.
+bool Processor::is_foreseen_write(const RegisterAddress& address) const {
     if (!runs_freely()) {
         return false;
     }
-    if (written.port) {
-        return static_cast<PortRegister>(written.offset) == PortRegister::rxaddr &&
-               is_known_to_wait(written.port);
+    if (address.port) {
+        return static_cast<PortRegister>(address.offset) == PortRegister::rxaddr;
     }
-    return static_cast<NodeRegister>(written.offset) == NodeRegister::waitfor &&
-           (value & kWaitMessage) != 0 && is_known_to_wait(ports_.longest_waiting());
+    return static_cast<NodeRegister>(address.offset) == NodeRegister::waitfor;
 }
 
 isa::Bus::Read Processor::read(std::uint32_t address, int bytes) {
@@ -68,7 +71,7 @@ isa::Bus::Read Processor::read(std::uint32_t address, int bytes) {
     if (!where || bytes != 2) {
         return {Status::fault, 0};
     }
-    if (needs_exact_time(*where, false) && !is_foreseen(*where) && !reach_local_time()) {
+    if (needs_exact_time(*where, false) && !is_foreseen_read(*where) && !reach_local_time()) {
         must_catch_up_ = true;
         return {Status::retry, 0};
     }
@@ -87,7 +90,7 @@ isa::Bus::Status Processor::write(std::uint32_t address, std::uint32_t value, in
     if (!where || bytes != 2) {
         return Status::fault;
     }
-    if (needs_exact_time(*where, true) && !is_foreseen(*where, value) && !reach_local_time()) {
+    if (needs_exact_time(*where, true) && !is_foreseen_write(*where) && !reach_local_time()) {
         must_catch_up_ = true;
         return Status::retry;
     }
@@ -151,6 +154,7 @@ std::optional<std::uint32_t> Processor::read_node(NodeRegister which) {
             return ports_.room();
         case NodeRegister::phase:
             phase_read_ = phase_;
+            meter_.see_phase(executed());
             return phase_;
         default:
             return std::nullopt;

@@ -37,8 +37,9 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
     std::deque<Ended> ended;
 };
 
-RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of)
-    : component_of_(std::move(component_of)) {
+RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of,
+                           Order order)
+    : component_of_(std::move(component_of)), order_(order) {
     for (std::size_t partition = 0; partition < partitions; ++partition) {
         keepers_.push_back(std::make_unique<Keeper>());
     }
@@ -93,6 +94,51 @@ void RecordMerger::sort_messages() {
 }
 
 void RecordMerger::flush(Time reached) {
+    if (order_ == Order::of_events) {
+        flush_in_order(reached);
+    } else {
+        flush_by_phase(reached);
+    }
+}
+
+std::vector<Time> RecordMerger::ends_of_phases(Time until) const {
+    std::vector<Time> ends;
+    for (const auto& keeper : keepers_) {
+        for (const Ended& ended : keeper->ended) {
+            if (ended.time <= until) {
+                ends.push_back(ended.time);
+            }
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+}
+
+void RecordMerger::flush_by_phase(Time reached) {
+    const std::vector<Time> ends = ends_of_phases(reached);
+    std::vector<std::vector<const MessageRecord*>> before(ends.size() + 1);  // before the n-th end
+    for (const auto& keeper : keepers_) {
+        for (const MessageRecord& message : keeper->messages) {
+            if (message.consumed < reached) {
+                const auto end = std::upper_bound(ends.begin(), ends.end(), message.consumed);
+                before[static_cast<std::size_t>(end - ends.begin())].push_back(&message);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        for (const MessageRecord* message : before[i]) {
+            tell(*message);
+        }
+        tell_phases(i < ends.size() ? ends[i] : reached);
+    }
+    for (const auto& keeper : keepers_) {
+        std::erase_if(keeper->messages, [reached](const MessageRecord& message) {
+            return message.consumed < reached;
+        });
+    }
+}
+
+void RecordMerger::flush_in_order(Time reached) {
     sort_messages();
     while (true) {
         Keeper* first = nullptr;

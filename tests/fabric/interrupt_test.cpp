@@ -74,7 +74,7 @@ Story run(const topology::Topology& topology, const ScriptMachineSettings& setti
     std::sort(story.consumed.begin(), story.consumed.end());
     RC_ASSERT(story.consumed.size() == machine.processors.size() * messages);
     for (std::size_t node = 0; node < machine.processors.size(); ++node) {
-        story.ends.push_back(machine.processors[node]->local_time());
+        story.ends.push_back(machine.processors[node]->reached());
         story.interrupts.push_back(machine.processors[node]->core().reg(4));
         for (const StateInterval& interval : machine.intervals[node]) {
             story.intervals.emplace_back(interval.from, interval.to);
@@ -142,7 +142,7 @@ TEST(Interrupts, ComeFromAnOutputQueueThatHasRoomAgain) {
     });
     EXPECT_EQ(machine.simulation.run().end, RunEnd::finished);
     // Sent at 30 ns, done 100 ns later; the handler's HALT takes one cycle.
-    EXPECT_EQ(machine.processors[0]->local_time(), at_ns(140));
+    EXPECT_EQ(machine.processors[0]->reached(), at_ns(140));
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ struct Machine {
     auto outcome() const {
         std::vector<std::tuple<Time, std::int64_t, std::int64_t, int>> all;
         for (const Processor* processor : processors) {
-            all.emplace_back(processor->local_time(), processor->statistics().instructions,
+            all.emplace_back(processor->reached(), processor->statistics().instructions,
                              processor->statistics().cycles,
                              processor->core().memory()[count_address]);
         }

@@ -215,7 +215,7 @@ void check_time_lines(const ScriptMachine& machine) {
             until = interval.to;
         }
         RC_ASSERT(booked == until.since_start());
-        RC_ASSERT(until == machine.processors[node]->local_time());
+        RC_ASSERT(until == machine.processors[node]->reached());
     }
 }
 
@@ -257,7 +257,7 @@ auto story(const ScriptMachine& machine) {
     for (const Processor* processor : machine.processors) {
         const NodeStatistics& statistics = processor->statistics();
         numbers.insert(numbers.end(), {statistics.cycles, statistics.instructions,
-                                       processor->local_time().picoseconds()});
+                                       processor->reached().picoseconds()});
         for (const NodePhaseStatistics& phase : statistics.phases) {
             for (const Duration in_state : phase.in_state) {
                 numbers.push_back(in_state.picoseconds());

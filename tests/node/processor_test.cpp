@@ -48,7 +48,7 @@ TEST(Processor, RunsToItsHaltAndCountsCyclesOnItsClock) {
     Bare bare(Script().work(41).halt());
     EXPECT_EQ(bare.simulation.run().end, RunEnd::finished);
     EXPECT_TRUE(bare.processor.halted());
-    EXPECT_EQ(bare.processor.local_time().since_start(), Duration::nanoseconds(42 * 300));
+    EXPECT_EQ(bare.processor.reached().since_start(), Duration::nanoseconds(42 * 300));
     EXPECT_EQ(bare.processor.statistics().cycles, 42);
     EXPECT_EQ(bare.processor.statistics().instructions, 2);
     EXPECT_EQ(bare.processor.statistics().in_state(NodeState::busy),
@@ -134,7 +134,7 @@ TEST(Processor, ComesBackFromAnEndlessLoopAtTheTimeLimit) {
         const RunResult result = bare.simulation.run(limit);
         EXPECT_EQ(result.end, RunEnd::limit);
         EXPECT_EQ(result.time, limit);
-        EXPECT_GE(bare.processor.local_time(), limit);
+        EXPECT_GE(bare.processor.reached(), limit);
     }
 }
 

@@ -45,15 +45,30 @@ class Scribe final : public NodeListener, public SupervisorListener {
 };
 
 struct Merging {
-    // Node 0 comes after node 1 in the order of events.
-    RecordMerger merger{3, {ComponentId{7}, ComponentId{5}}};
+    RecordMerger merger;
     Scribe scribe;
 
-    Merging() {
+    // Node 0 comes after node 1 in the order of events.
+    explicit Merging(RecordMerger::Order order = RecordMerger::Order::of_events)
+        : merger(3, {ComponentId{7}, ComponentId{5}}, order) {
         merger.forward_to(static_cast<NodeListener&>(scribe));
         merger.forward_to(static_cast<SupervisorListener&>(scribe));
     }
 };
+
+TEST(RecordMerger, TellsOfEachMessageInItsPhaseWhenNobodyWantsMore) {
+    Merging m(RecordMerger::Order::by_phase);
+    m.merger.for_nodes(0).message_consumed(message(0, 1, 30));
+    m.merger.for_nodes(0).message_consumed(message(0, 2, 10));
+    m.merger.for_supervisor(2).phase_ended(phase(0, 20));
+    m.merger.for_nodes(1).message_consumed(message(1, 3, 20));
+    m.merger.for_nodes(1).message_consumed(message(1, 4, 50));
+    m.merger.flush(at(40));
+    EXPECT_THAT(m.scribe.told, ElementsAre("message 2", "phase 0", "message 1", "message 3"));
+    m.merger.flush(at(60));
+    EXPECT_EQ(m.scribe.told.back(), "message 4");
+    EXPECT_EQ(m.scribe.told.size(), 5U);
+}
 
 TEST(RecordMerger, TellsInTheOrderInWhichOnePartitionWouldHave) {
     Merging m;
