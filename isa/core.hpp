@@ -62,12 +62,28 @@ class Bus {
     virtual Status write(std::uint32_t address, std::uint32_t value, int bytes) = 0;
 };
 
+// The part of the I/O page that can be used while the core runs on: what needs nobody else to have
+// come to the same time. Its reads have no effect; what it answers retry or fault to has had none
+// and is asked of the Bus in step().
+class PromptBus : public Bus {
+  public:
+    // Where the access comes from; set by the core.
+    std::int64_t cycles_before = 0;  // of this run, spent before its instruction
+    std::uint32_t pc = 0;            // address of that
+};
+
 class Core {
   public:
     virtual ~Core() = default;
 
     // Executes private instructions until a StopReason arises. Never touches the I/O page.
     virtual Stop run(std::int64_t budget_cycles) = 0;
+
+    // The same, but accesses to the I/O page are offered to `bus`, and the run goes on where that
+    // answers ok. A core need not make use of it.
+    virtual Stop run_with(PromptBus& /*bus*/, std::int64_t budget_cycles) {
+        return run(budget_cycles);
+    }
 
     // Executes exactly one instruction, its I/O-page accesses going to `bus`. On retry the
     // architectural state is what it was before (auto-increments included) and no cycles are spent;

@@ -87,9 +87,18 @@ Stop Pdp11Core::run(std::int64_t budget_cycles) {
     }
 }
 
+Stop Pdp11Core::run_with(PromptBus& bus, std::int64_t budget_cycles) {
+    m_->bus = &bus;
+    Stop stop = run(budget_cycles);
+    m_->bus = nullptr;
+    return stop;
+}
+
 Exit Pdp11Core::run_chunk(std::int64_t budget, std::int64_t& cycles) {
     const std::int64_t all = cost_units(budget, -1);
     m_->left = all;
+    m_->budget = all;
+    m_->cycles_before = cycles;
     m_->free_branches = kFreeBranches;
     const Exit exit = run_handlers(*m_);
     const std::int64_t spent = all - m_->left;

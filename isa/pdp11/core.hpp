@@ -27,6 +27,7 @@ class Pdp11Core final : public Core {
     Pdp11Core& operator=(const Pdp11Core&) = delete;
 
     Stop run(std::int64_t budget_cycles) override;
+    Stop run_with(PromptBus& bus, std::int64_t budget_cycles) override;
     Stop step(Bus& bus) override;
 
     void request_interrupt(int level, std::uint32_t vector) override;

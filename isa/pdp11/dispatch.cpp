@@ -44,7 +44,11 @@ std::int64_t cost_of_first(const Machine* m, const Entry* e) {
 Exit interpret(RASTERLOOM_STATE) {
     m->r[kProgramCounter] = e->pc;
     m->flags = {nz, c, v};
-    const Interpreter::Outcome outcome = Interpreter(*m).step();
+    if (m->bus != nullptr) {
+        m->bus->cycles_before = m->cycles_before + ((m->budget - left) >> kCycleShift);
+        m->bus->pc = e->pc;
+    }
+    const Interpreter::Outcome outcome = Interpreter(*m, m->bus).step();
     const Flags f = m->flags;
     if (outcome.exit == Exit::io)
         return leave(m, left, f, Exit::io);

@@ -15,6 +15,10 @@
 #include <cstdint>
 #include <cstring>
 
+namespace rasterloom::isa {
+class PromptBus;
+}
+
 namespace rasterloom::isa::pdp11 {
 
 inline constexpr std::uint32_t kIoPage = 0160000;      // first byte address of the I/O page
@@ -57,8 +61,11 @@ struct Machine {
     std::uint8_t priority;       // 0 to 7
     bool trace;                  // the T bit
     bool report_unhandled;
-    std::uint8_t requested;  // highest level of a pending interrupt, 0 for none
-    std::int64_t left;       // budget while outside handlers: cycles in the upper 32 bits
+    std::uint8_t requested;      // highest level of a pending interrupt, 0 for none
+    std::int64_t left;           // budget while outside handlers: cycles in the upper 32 bits
+    std::int64_t budget;         // what `left` began with
+    std::int64_t cycles_before;  // of this run, before that
+    PromptBus* bus;              // for accesses while handlers run; null for none
     std::int64_t
         free_branches;  // taken branches that cost nothing, until the run is called endless
     const Entry* next;  // where to go on (builds without tail calls only)

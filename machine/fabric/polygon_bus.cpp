@@ -74,15 +74,20 @@ void PolygonBus::take() {
 
 // The one who gets the oldest message; none when all do.
 std::optional<std::size_t> PolygonBus::only_listener() const {
-    const bool dealt =
-        settings_.deal && kind_of_polygon_message(input_.oldest().bytes) == PolygonMessage::polygon;
+    if (!settings_.deal) {
+        return std::nullopt;
+    }
+    const bool dealt = kind_of_polygon_message(input_.oldest().bytes) == PolygonMessage::polygon;
     return dealt ? std::optional(turn_) : std::nullopt;
 }
 
 // Whether this listener has no place for the oldest message, which is to reach it.
 bool PolygonBus::lacks_place(std::size_t listener) const {
+    if (listeners_[listener].receiver_has_room()) {
+        return false;
+    }
     const auto only = only_listener();
-    return (!only || *only == listener) && !listeners_[listener].receiver_has_room();
+    return !only || *only == listener;
 }
 
 bool PolygonBus::has_places() const {

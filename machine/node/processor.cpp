@@ -179,7 +179,8 @@ bool Processor::run_private_instructions() {
     }
     interrupt_requested_ = false;
     const std::int64_t end = slice_end(cycle_);
-    const isa::Stop stop = core_->run(budget());
+    isa::Stop stop = runs_freely() ? core_->run_with(prompt_, budget()) : core_->run(budget());
+    stop.cycles -= std::exchange(spent_of_run_, 0);
     if (works_ahead_ && stop.reason == isa::StopReason::budget && cycle_ + stop.cycles < end) {
         spend(stop.cycles);
         part_ = std::min(2 * part_, kLargestPart);

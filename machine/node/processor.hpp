@@ -134,6 +134,21 @@ class Processor final : public Component, private isa::Bus {
                                 std::string what) const;
     std::string place(std::uint32_t program_counter) const;
 
+    // processor_prompt.cpp: registers that need nobody to catch up, while the core runs on.
+    class Prompt final : public isa::PromptBus {
+      public:
+        explicit Prompt(Processor& processor) : processor_(processor) {}
+        Read read(std::uint32_t address, int bytes) override;
+        Status write(std::uint32_t address, std::uint32_t value, int bytes) override;
+
+      private:
+        Processor& processor_;
+    };
+    void come_to(std::int64_t cycles_of_run);
+    bool may_read_promptly(const RegisterAddress& address) const;
+    bool may_write_frame_buffer_promptly(std::uint32_t address, std::uint32_t value) const;
+    bool may_write_promptly(const RegisterAddress& address, std::uint32_t value) const;
+
     // processor_io.cpp: the registers.
     Read read(std::uint32_t address, int bytes) override;
     Status write(std::uint32_t address, std::uint32_t value, int bytes) override;
@@ -148,6 +163,7 @@ class Processor final : public Component, private isa::Bus {
     Status stall(Stall kind, std::uint32_t argument);
     Status refuse(std::string what);
     bool wait_mask_holds(std::uint32_t mask) const;
+    static bool needs_exact_time(const RegisterAddress& address, bool writes);
     bool is_known_to_wait(int port) const;
     bool is_longest_known() const;
     bool runs_freely() const;
@@ -183,7 +199,9 @@ class Processor final : public Component, private isa::Bus {
     std::uint32_t error_at_ = 0;  // address of the instruction that made it
     std::int64_t cycle_ = 0;      // edge of the clock at which the next instruction begins
     std::int64_t cycles_executed_ = 0;
-    Time local_time_;        // of that edge
+    Time local_time_;  // of that edge
+    Prompt prompt_{*this};
+    std::int64_t spent_of_run_ = 0;  // cycles of the core's run in progress that are spent already
     int advances_ = 0;       // without the event queue, since the processor was last given control
     std::int64_t part_ = 0;  // cycles of a slice put off to be executed next
     bool slice_put_off_ = false;

@@ -6,10 +6,8 @@
 
 namespace rasterloom {
 
-namespace {
-
 // Registers that say nothing about the rest of the machine, so that the core may run on with them.
-bool needs_exact_time(const RegisterAddress& address, bool writes) {
+bool Processor::needs_exact_time(const RegisterAddress& address, bool writes) {
     if (address.port) {
         return static_cast<PortRegister>(address.offset) != PortRegister::txaddr;
     }
@@ -24,8 +22,6 @@ bool needs_exact_time(const RegisterAddress& address, bool writes) {
             return true;
     }
 }
-
-}  // namespace
 
 // A message that waits now still does at the core's own time.
 bool Processor::is_known_to_wait(int port) const {
