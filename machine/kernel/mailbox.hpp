@@ -49,6 +49,9 @@ class alignas(kCacheLine) Mailbox {
     template <class Take>
     void take_all(std::size_t which, Take&& take) {
         Box& box = boxes_[which];
+        if (box.events.empty()) {
+            return;  // and its cache line stays with both sides
+        }
         for (const Event& event : box.events) {
             take(event);
         }

@@ -43,12 +43,12 @@ Time later_by(Time time, Duration duration) {
 
 Rounds::Rounds(const std::vector<Scheduler*>& partitions, const std::vector<std::size_t>& thread_of,
                LookaheadTable lookaheads)
-    : lookaheads_(std::move(lookaheads)), next_(partitions.size()) {
+    : lookaheads_(std::move(lookaheads)), board_(partitions.size()) {
     partitions_of_.resize(*std::max_element(thread_of.begin(), thread_of.end()) + 1);
     for (std::size_t i = 0; i < partitions.size(); ++i) {
         partitions_.push_back(std::make_unique<Partition>());
         partitions_[i]->scheduler = partitions[i];
-        partitions_[i]->report.sent.assign(partitions.size(), kNoEvent);
+        partitions_[i]->report.arrivals.resize(partitions.size());
         partitions_of_[thread_of[i]].push_back(i);
         mailboxes_.emplace_back(partitions.size());
     }
@@ -75,12 +75,10 @@ void Rounds::run() {
     if (thrown_) {
         std::rethrow_exception(thrown_);
     }
-    const std::uint64_t first = round_.load(std::memory_order_relaxed) + 1;
     for (std::size_t i = 0; i < partitions_.size(); ++i) {
         report(i);
-        partitions_[i]->rounds = first;
     }
-    prepare_round(first);
+    first_round_ = partitions_[0]->reports;
     gate_.fetch_or(kOpen, std::memory_order_release);
     gate_.notify_all();
     for (std::size_t thread = helpers_.size() + 1; thread < partitions_of_.size(); ++thread) {
@@ -98,7 +96,7 @@ void Rounds::run() {
         finish(thread);
     }
     for (const auto& partition : partitions_) {
-        collect_mail(*partition, round_ - 1);
+        collect_mail(*partition, partition->reports - 1);
     }
 }
 
@@ -163,15 +161,8 @@ void Rounds::take_part(std::size_t thread) {
 
 void Rounds::work(std::size_t thread) {
     int spins = 0;
-    std::uint64_t last = 0;
+    std::uint64_t round = first_round_ - 1;  // over already: the next is looked for first
     while (!aborted_.load(std::memory_order_relaxed)) {
-        const std::uint64_t round = round_.load(std::memory_order_acquire);
-        if (over_.load(std::memory_order_acquire)) {
-            finish(thread);
-            return;
-        }
-        spins = round == last ? spins : 0;
-        last = round;
         const bool crowded = crowded_.load(std::memory_order_relaxed);
         if (crowded && thread > 0) {
             return;
@@ -180,76 +171,93 @@ void Rounds::work(std::size_t thread) {
         for (const std::size_t own : partitions_of_[thread]) {
             busy = run_partition(own, round) || busy;
         }
-        for (std::size_t i = 0; (crowded || spins > kPatience) && !busy && i < partitions_.size();
-             ++i) {
-            busy = run_partition(i, round);
+        if (!busy && (crowded || spins > kPatience)) {
+            busy = run_somebody_elses(round);
         }
-        if (busy || work_ahead(thread)) {
-            continue;
-        }
-        if (thread > 0) {
-            wait_a_little(spins++);
-        } else if (++spins < kCrowdedSpins) {
-            pause_processor();
-        } else {
-            crowded_.store(true, std::memory_order_relaxed);
-            std::this_thread::yield();
+        const RoundBoard::Summary summary = board_.summary(round);
+        if (summary.state != RoundBoard::State::missing) {
+            // Late, it reads the others' latest report before it takes up what they have sent.
+            round = summary.state == RoundBoard::State::made ? round + 1 : summary.latest;
+            spins = 0;
+            if (summary.over) {
+                finish(thread);
+                return;
+            }
+        } else if (!busy && !work_ahead(thread)) {
+            wait(thread, spins++);
         }
     }
+}
+
+// The host has no core for the other thread when it holds up this one for so long.
+void Rounds::wait(std::size_t thread, int spins) {
+    if (thread > 0) {
+        wait_a_little(spins);
+    } else if (spins < kCrowdedSpins) {
+        pause_processor();
+    } else {
+        crowded_.store(true, std::memory_order_relaxed);
+        std::this_thread::yield();
+    }
+}
+
+bool Rounds::run_somebody_elses(std::uint64_t round) {
+    for (std::size_t i = 0; i < partitions_.size(); ++i) {
+        if (run_partition(i, round)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // False when the partition has taken part in this round already, or another thread has it.
 bool Rounds::run_partition(std::size_t index, std::uint64_t round) {
     Partition& partition = *partitions_[index];
-    if (partition.rounds.load(std::memory_order_relaxed) > round ||
+    if (partition.reports.load(std::memory_order_relaxed) != round ||
         partition.taken.exchange(true, std::memory_order_acquire)) {
         return false;
     }
-    const bool due = partition.rounds.load(std::memory_order_relaxed) == round;
-    if (due) {  // and so it is the round in progress
+    // Nobody gets further than this round without this partition's report.
+    const bool due = partition.reports.load(std::memory_order_relaxed) == round;
+    if (due) {
         collect_mail(partition, round - 1);
         Scheduler& scheduler = *partition.scheduler;
-        scheduler.limit_ = limit_;
-        scheduler.bound_ = bound_of(index);
+        const Time bound = board_.bound(index, round - 1);
+        scheduler.limit_ = board_.limit(round - 1);
+        scheduler.bound_ =
+            bound == Time::never() ? scheduler.limit_ : earlier({bound, 0}, scheduler.limit_);
         scheduler.run_to_bound();
         report(index);
-        partition.rounds.store(round + 1, std::memory_order_relaxed);
     }
     partition.taken.store(false, std::memory_order_release);
-    if (due && missing_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-        prepare_round(round + 1);
-    }
     return due;
 }
 
+// Nobody else has the partition.
 void Rounds::report(std::size_t index) {
-    const Scheduler& scheduler = *partitions_[index]->scheduler;
-    Report& report = partitions_[index]->report;
-    report.next = scheduler.next_key();
-    report.limit = scheduler.limit_;
+    Partition& partition = *partitions_[index];
+    const EventKey next = partition.scheduler->next_key();
+    RoundBoard::Report& report = partition.report;
+    report.earliest = next;
+    report.limit = partition.scheduler->limit_;
     for (std::size_t to = 0; to < partitions_.size(); ++to) {
-        if (Mailbox* mailbox = mailboxes_[index][to].get()) {
-            report.sent[to] = mailbox->close();
-        }
+        report.arrivals[to] = later_by(next.time, lookaheads_[index][to]);
     }
-}
-
-void Rounds::prepare_round(std::uint64_t round) {
-    limit_ = kNoEvent;
-    next_.assign(next_.size(), kNoEvent);
-    for (std::size_t from = 0; from < partitions_.size(); ++from) {
-        const Report& report = partitions_[from]->report;
-        limit_ = earlier(limit_, report.limit);
-        next_[from] = earlier(next_[from], report.next);
+    for (std::size_t by_way_of = 0; by_way_of < partitions_.size(); ++by_way_of) {
+        Mailbox* mailbox = mailboxes_[index][by_way_of].get();
+        const EventKey sent = mailbox != nullptr ? mailbox->close() : kNoEvent;
+        if (sent == kNoEvent) {
+            continue;
+        }
+        report.earliest = earlier(report.earliest, sent);
         for (std::size_t to = 0; to < partitions_.size(); ++to) {
-            next_[to] = earlier(next_[to], report.sent[to]);
+            report.arrivals[to] =
+                std::min(report.arrivals[to], later_by(sent.time, lookaheads_[by_way_of][to]));
         }
     }
-    const bool over = std::none_of(next_.begin(), next_.end(),
-                                   [this](const EventKey& next) { return next < limit_; });
-    missing_.store(partitions_.size(), std::memory_order_relaxed);
-    over_.store(over, std::memory_order_release);
-    round_.store(round, std::memory_order_release);
+    const std::uint64_t number = partition.reports.load(std::memory_order_relaxed);
+    partition.reports.store(number + 1, std::memory_order_relaxed);
+    board_.publish(index, number, report);
 }
 
 // A part of the private work of this thread's partitions; false when there is none.
@@ -277,14 +285,6 @@ void Rounds::finish(std::size_t thread) {
         partition.scheduler->finish_work();
         partition.taken.store(false, std::memory_order_release);
     }
-}
-
-EventKey Rounds::bound_of(std::size_t partition) const {
-    Time bound = Time::never();
-    for (std::size_t from = 0; from < partitions_.size(); ++from) {
-        bound = std::min(bound, later_by(next_[from].time, lookaheads_[from][partition]));
-    }
-    return bound == Time::never() ? limit_ : earlier({bound, 0}, limit_);
 }
 
 void Rounds::collect_mail(Partition& partition, std::uint64_t round) {

@@ -3,8 +3,8 @@
 //
 // In a round every partition handles its events before a bound of its own: the earliest time at
 // which anything that has not happened yet in any partition could make something arrive in it. Then
-// it reports what comes next in it and what it has sent; whoever is last finds the bounds of the
-// next round from all reports.
+// it reports when what comes next in it, or what it has sent, could make something arrive in each
+// other one. When all have reported, whoever looks sees so, and the bounds of the next round.
 //
 // A partition belongs to a thread, but another one runs its round when that thread does not come. A
 // thread that has nothing to do in this round goes on with private work of its partitions. On a
@@ -16,6 +16,7 @@
 #pragma once
 
 #include "machine/kernel/partition.hpp"
+#include "machine/kernel/round_board.hpp"
 #include "machine/kernel/scheduler.hpp"
 
 #include <atomic>
@@ -50,18 +51,12 @@ class Rounds {
     void run();
 
   private:
-    // What a partition says at the end of a round.
-    struct Report {
-        EventKey next;               // of its events and its private work
-        EventKey limit;              // the run ends here as far as it knows
-        std::vector<EventKey> sent;  // [to]: the earliest it has sent there
-    };
     struct alignas(kCacheLine) Partition {
         Scheduler* scheduler = nullptr;
-        std::atomic<bool> taken{false};        // by a thread: the rest is that thread's then
-        std::atomic<std::uint64_t> rounds{0};  // it has taken part in
-        Report report;                         // of the last
-        std::vector<Mailbox*> inboxes;         // of the others that send here
+        std::atomic<bool> taken{false};         // by a thread: the rest is that thread's then
+        std::atomic<std::uint64_t> reports{0};  // made; round r follows from report r - 1
+        RoundBoard::Report report;              // the last
+        std::vector<Mailbox*> inboxes;          // of the others that send here
     };
 
     void help(std::size_t thread);
@@ -69,12 +64,12 @@ class Rounds {
     void rest();
     void take_part(std::size_t thread);
     void work(std::size_t thread);
+    void wait(std::size_t thread, int spins);
     bool run_partition(std::size_t partition, std::uint64_t round);
+    bool run_somebody_elses(std::uint64_t round);
     void report(std::size_t partition);
-    void prepare_round(std::uint64_t round);
     bool work_ahead(std::size_t thread);
     void finish(std::size_t thread);
-    EventKey bound_of(std::size_t partition) const;
     void collect_mail(Partition& partition, std::uint64_t round);
 
     std::vector<std::unique_ptr<Partition>> partitions_;
@@ -82,14 +77,10 @@ class Rounds {
     LookaheadTable lookaheads_;
     std::vector<std::vector<std::unique_ptr<Mailbox>>> mailboxes_;  // [from][to]
 
-    // Written by whoever is last in a round, while nobody else runs.
-    std::vector<EventKey> next_;  // [partition]
-    EventKey limit_;
-    std::atomic<bool> over_{false};
+    RoundBoard board_;
+    std::uint64_t first_round_ = 0;  // of this call of run()
 
-    alignas(kCacheLine) std::atomic<std::uint64_t> round_{0};  // in progress
-    alignas(kCacheLine) std::atomic<std::size_t> missing_{0};  // partitions, in that round
-    std::atomic<bool> aborted_{false};
+    alignas(kCacheLine) std::atomic<bool> aborted_{false};
     std::mutex thrown_mutex_;
     std::exception_ptr thrown_;
 
