@@ -37,6 +37,7 @@ Link::Link(std::string name, const LinkSettings& settings)
         throw std::invalid_argument(
             fmt::format("{}: an input queue holds at least 1 message", this->name()));
     }
+    keep_arrivals(receiver_);
     // Of the shortest message.
     promise_delay(receiver_, settings.time_per_message + settings.time_per_byte);
 }
@@ -62,6 +63,9 @@ void Link::handle(const Event& event) {
 }
 
 void Link::begin_transfer(Message* message) {
+    while (take_kept(receiver_)) {
+        ++credits_;
+    }
     if (credits_ == 0) {
         throw InvariantError(now(), name(), "a message without a free place for it");
     }
@@ -77,15 +81,16 @@ void Link::begin_transfer(Message* message) {
     send(receiver_, kind_of(MessageEvent::deliver), to_payload(message), now() + occupied);
     done_departure_ = std::max(now(), now() + occupied - 2 * kSenderWire);
     sender_waits_ = credits_ == 0;
+    if (sender_waits_) {
+        await_arrival(receiver_);
+    }
     send(sender_, kind_of(MessageEvent::done), sender_waits_ ? 0 : 1, done_departure_);
 }
 
 void Link::return_credit() {
     ++credits_;
-    if (sender_waits_) {
-        sender_waits_ = false;
-        send(sender_, kind_of(MessageEvent::ready), 0, std::max(now(), done_departure_));
-    }
+    sender_waits_ = false;
+    send(sender_, kind_of(MessageEvent::ready), 0, std::max(now(), done_departure_));
 }
 
 }  // namespace rasterloom

@@ -27,7 +27,9 @@ PolygonBus::PolygonBus(std::string name, const PolygonBusSettings& settings)
     add_port("input");
     for (int listener = 0; listener < settings.listeners; ++listener) {
         // The shortest message is the end of a frame, two words.
-        promise_delay(add_port(fmt::format("listener {}", listener)), 2 * settings.time_per_word);
+        const PortIndex port = add_port(fmt::format("listener {}", listener));
+        promise_delay(port, 2 * settings.time_per_word);
+        keep_arrivals(port);
         listeners_.emplace_back(1, settings.listener_places);
     }
     statistics_.held_by.resize(listeners_.size());
@@ -41,27 +43,24 @@ void PolygonBus::handle(const Event& event) {
             throw InvariantError(now(), name(), "the input FIFO overflows");
         }
     } else {
-        take_credit(static_cast<std::size_t>(event.port) - 1);
+        waiting_ = false;
+        take_credit(static_cast<std::size_t>(event.port) - 1, now());
     }
     take();
 }
 
 // No transfer begins while the bus is held: a listener that lacks a place has lacked it since then.
-void PolygonBus::take_credit(std::size_t listener) {
-    if (held_ && lacks_place(listener)) {
-        statistics_.held_by[listener] += now() - held_since_;
+void PolygonBus::take_credit(std::size_t listener, Time came) {
+    if (held_ && !listeners_[listener].receiver_has_room() && came > held_since_) {
+        statistics_.held_by[listener] += came - held_since_;
     }
-    full_listeners_ -= listeners_[listener].receiver_has_room() ? 0 : 1;
     listeners_[listener].credit();
 }
 
 void PolygonBus::take() {
-    while (!busy_ && !input_.empty()) {
-        if (!has_places()) {
-            if (!held_) {
-                held_ = true;
-                held_since_ = now();
-            }
+    while (!busy_ && !waiting_ && !input_.empty()) {
+        if (const auto lacking = who_lacks_place()) {
+            wait_for(*lacking);
             return;
         }
         if (held_) {
@@ -70,6 +69,17 @@ void PolygonBus::take() {
         }
         begin();
     }
+}
+
+// One listener after the other: when this one has its place, the next one that lacks one may have
+// got it meanwhile.
+void PolygonBus::wait_for(std::size_t listener) {
+    if (!held_) {
+        held_ = true;
+        held_since_ = now();
+    }
+    waiting_ = true;
+    await_arrival(listener_port(static_cast<int>(listener)));
 }
 
 // The one who gets the oldest message; none when all do.
@@ -81,18 +91,26 @@ std::optional<std::size_t> PolygonBus::only_listener() const {
     return dealt ? std::optional(turn_) : std::nullopt;
 }
 
-// Whether this listener has no place for the oldest message, which is to reach it.
-bool PolygonBus::lacks_place(std::size_t listener) const {
-    if (listeners_[listener].receiver_has_room()) {
-        return false;
+// Of those whom the oldest message is to reach, the first without a place for it.
+std::optional<std::size_t> PolygonBus::who_lacks_place() {
+    if (const auto only = only_listener()) {
+        return finds_place(*only) ? std::nullopt : only;
     }
-    const auto only = only_listener();
-    return !only || *only == listener;
+    while (with_place_ < listeners_.size() && finds_place(with_place_)) {
+        ++with_place_;
+    }
+    return with_place_ < listeners_.size() ? std::optional(with_place_) : std::nullopt;
 }
 
-bool PolygonBus::has_places() const {
-    const auto only = only_listener();
-    return only ? !lacks_place(*only) : full_listeners_ == 0;
+bool PolygonBus::finds_place(std::size_t listener) {
+    while (!listeners_[listener].receiver_has_room()) {
+        const auto credit = take_kept(listener_port(static_cast<int>(listener)));
+        if (!credit) {
+            return false;
+        }
+        take_credit(listener, credit->time());
+    }
+    return true;
 }
 
 // The listeners' messages leave now for the time at which the transfer ends.
@@ -103,6 +121,7 @@ void PolygonBus::begin() {
     ++statistics_.messages;
     statistics_.words += words;
     statistics_.busy += occupied;
+    with_place_ = 0;
     if (const auto only = only_listener()) {
         hand_to(*only, now() + occupied);
         turn_ = (turn_ + 1) % listeners_.size();
@@ -135,7 +154,6 @@ void PolygonBus::hand_to(std::size_t listener, Time end) {
         send(listener_port(static_cast<int>(listener)),
              static_cast<EventKind>(MessageEvent::deliver), to_payload(leaving), end);
     });
-    full_listeners_ += output.receiver_has_room() ? 0 : 1;
 }
 
 void PolygonBus::end() {
@@ -154,9 +172,11 @@ std::optional<std::string> PolygonBus::waits_for() const {
     if (!held_) {
         return std::nullopt;
     }
+    const auto only = only_listener();
     std::string without;
     for (std::size_t i = 0; i < listeners_.size(); ++i) {
-        if (lacks_place(i)) {
+        if ((!only || *only == i) && !listeners_[i].receiver_has_room() &&
+            !has_kept(listener_port(static_cast<int>(i)))) {
             without += fmt::format("{}{}", without.empty() ? "" : ", ", i);
         }
     }

@@ -60,21 +60,23 @@ class PolygonBus final : public Component {
 
   private:
     void take();
-    bool has_places() const;
+    std::optional<std::size_t> who_lacks_place();
     void begin();
     void hand_to(std::size_t listener, Time end);
     void end();
     std::optional<std::size_t> only_listener() const;
-    bool lacks_place(std::size_t listener) const;
-    void take_credit(std::size_t listener);
+    bool finds_place(std::size_t listener);
+    void wait_for(std::size_t listener);
+    void take_credit(std::size_t listener, Time came);
 
     PolygonBusSettings settings_;
     InputFifo input_;
     std::vector<OutputFifo> listeners_;
-    int full_listeners_ = 0;  // have no place
-    std::size_t turn_ = 0;    // who gets the next polygon that is dealt
+    std::size_t with_place_ = 0;  // listeners, from the first on, known to have one
+    std::size_t turn_ = 0;        // who gets the next polygon that is dealt
     bool busy_ = false;
-    bool held_ = false;
+    bool held_ = false;     // somebody lacks a place...
+    bool waiting_ = false;  // ...and a credit of his is awaited; the others' are kept
     Time held_since_;
     PolygonBusStatistics statistics_;  // but the FIFO's
 };

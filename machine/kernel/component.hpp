@@ -55,6 +55,19 @@ class Component {
         ports_[static_cast<std::size_t>(port)].least_delay_ = delay;
     }
 
+    // What arrives at this port is kept until the component looks, and costs no event: for news
+    // that it mostly needs later, or never. Only one that has been awaited is handed over. Before
+    // the machine is sealed.
+    void keep_arrivals(PortIndex port) {
+        ports_[static_cast<std::size_t>(port)].kept_ = std::make_unique<KeptArrivals>();
+    }
+    // The earliest arrival that is kept, if it came before what happens now.
+    std::optional<Event> take_kept(PortIndex port);
+    bool has_kept(PortIndex port) const;
+    // Has the next arrival handed to handle() in its time, like any other: once there is nothing to
+    // take.
+    void await_arrival(PortIndex port);
+
     Scheduler& scheduler() { return *scheduler_; }
     const Scheduler& scheduler() const { return *scheduler_; }
     Time now() const { return scheduler_->now(); }
@@ -66,10 +79,12 @@ class Component {
         const Event event{
             make_event_key(departure + from.latency_, EventPhase::arrival, from.peer_, id_),
             sequence_++, kind, from.peer_port_, payload};
-        if (from.mailbox_ == nullptr) {
-            scheduler_->push(event);
-        } else {
+        if (from.mailbox_ != nullptr) {
             scheduler_->post(*from.mailbox_, event);
+        } else if (from.peer_keeps_ != nullptr) {
+            keep(*from.peer_keeps_, event);
+        } else {
+            scheduler_->push(event);
         }
     }
 
@@ -83,6 +98,11 @@ class Component {
 
   private:
     friend class Simulation;
+    friend class Scheduler;
+
+    // On its way to this component, from another partition.
+    void receive(const Event& event);
+    void keep(KeptArrivals& kept, const Event& event);
 
     std::string name_;
     std::vector<Port> ports_;

@@ -6,12 +6,21 @@
 
 #include "machine/kernel/event.hpp"
 
+#include <memory>
 #include <string>
 #include <utility>
+
+#include <boost/circular_buffer.hpp>
 
 namespace rasterloom {
 
 class Mailbox;
+
+// Arrivals at a port that wait until the component looks (Component::keep_arrivals), in order.
+struct KeptArrivals {
+    boost::circular_buffer<Event> events;  // grows as needed
+    bool next_is_awaited = false;          // none is kept then
+};
 
 class Port {
   public:
@@ -33,10 +42,12 @@ class Port {
 
     // What sending needs stands together.
     Duration latency_;
-    Mailbox* mailbox_ = nullptr;  // of the peer's partition; none: it is in this one
+    Mailbox* mailbox_ = nullptr;          // of the peer's partition; none: it is in this one
+    KeptArrivals* peer_keeps_ = nullptr;  // what arrives at the peer; null: it is handed over
     ComponentId peer_{};
     PortIndex peer_port_{};
     bool may_stay_open_;
+    std::unique_ptr<KeptArrivals> kept_;  // null: what arrives here is handed over
     Duration least_delay_;
     std::string name_;
 };

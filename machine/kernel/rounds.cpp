@@ -290,7 +290,7 @@ void Rounds::finish(std::size_t thread) {
 void Rounds::collect_mail(Partition& partition, std::uint64_t round) {
     for (Mailbox* inbox : partition.inboxes) {
         inbox->take_all(round % Mailbox::kBoxes,
-                        [&](const Event& event) { partition.scheduler->push(event); });
+                        [&](const Event& event) { partition.scheduler->receive(event); });
     }
 }
 

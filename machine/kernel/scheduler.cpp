@@ -29,6 +29,10 @@ void Scheduler::report_early_event(const Event& event) const {
                              ", which is earlier than its port's lookahead allows");
 }
 
+void Scheduler::receive(const Event& event) {
+    (*components_)[static_cast<std::size_t>(event.target())]->receive(event);
+}
+
 void Scheduler::lower_limit(EventKey key) {
     limit_ = earlier(limit_, key);
     bound_ = earlier(bound_, key);

@@ -27,6 +27,11 @@ class Scheduler {
         }
         queue_.push(event);
     }
+    // Takes an event from another partition: it is handled in its time, unless its target keeps
+    // what arrives there.
+    void receive(const Event& event);
+    // Whether what has this key came before the event being handled.
+    bool has_passed(const EventKey& key) const { return key < current_; }
     // Sends an event to another partition. Throws InvariantError when it comes earlier than the
     // lookahead allows.
     void post(Mailbox& mailbox, const Event& event) {

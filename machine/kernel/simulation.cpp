@@ -116,6 +116,8 @@ void Simulation::join_wires() {
             }
             port.peer_ = wire.end[there]->id_;
             port.peer_port_ = wire.port[there];
+            port.peer_keeps_ =
+                wire.end[there]->ports_[static_cast<std::size_t>(wire.port[there])].kept_.get();
         }
     }
 }
