@@ -22,7 +22,7 @@ PolygonFabricSettings fabric_settings(const config::MachineDescription& machine,
     settings.latency = fabric.latency;
     settings.half_digested = fabric.half_digested;
     settings.digest_output_queue = static_cast<int>(fabric.digest_fifo);
-    settings.unit = static_cast<int>(program.symbol("subpixels").value_or(1));
+    settings.whole_edges = program.symbol("takes_parts").value_or(0) != 0;
     settings.phases_per_frame = static_cast<int>(phases_per_frame);
     return settings;
 }

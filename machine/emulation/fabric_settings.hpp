@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The description's fabric.* and host.* as the fabric takes them; the unit of places in messages is
-// the program's `subpixels`, whole pixels without.
+// The description's fabric.* and host.* as the fabric takes them; splitters leave edges whole when
+// the program says `takes_parts`.
 #pragma once
 
 #include "isa/image.hpp"

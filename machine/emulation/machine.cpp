@@ -20,9 +20,9 @@ using topology::Topology;
 
 namespace {
 
-// Bytes of a half-digested polygon, the longest message on machines that deal out the screen: 4
+// Bytes of a half-digested polygon, the longest message on machines that deal out the screen: 5
 // words and, for each of at most kMaxCutVertices + 2 vertices on its two sides, 10 words.
-constexpr int kMaxDigest = 8 + (kMaxCutVertices + 2) * 20;
+constexpr int kMaxDigest = 10 + (kMaxCutVertices + 2) * 20;
 
 void check_ports(const MachineDescription& description, const Topology& topology) {
     for (std::size_t node = 0; node < topology.nodes.size(); ++node) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace rasterloom {
 
@@ -51,21 +50,17 @@ void close(std::vector<PolygonVertex>& part) {
     }
 }
 
-// The half-plane of coordinates up to `end`, or from `end` on. Edges are cut at `at`: at the end or
-// one beyond; then the new vertex is moved to the end.
+// The half-plane of coordinates up to `end`, or from `end` on.
 struct HalfPlane {
     CutAxis axis;
     int end;
-    int at;
     bool is_low;
 
     bool holds(const PolygonVertex& vertex) const {
         return is_low ? across(vertex, axis) <= end : across(vertex, axis) >= end;
     }
     PolygonVertex last_of(const PolygonVertex& lo, const PolygonVertex& hi) const {
-        PolygonVertex vertex = point_at(lo, hi, axis, at);
-        (axis == CutAxis::x ? vertex.x : vertex.y) = static_cast<std::int16_t>(end);
-        return vertex;
+        return point_at(lo, hi, axis, end);
     }
 };
 
@@ -90,67 +85,12 @@ void clip(std::span<const PolygonVertex> outline, const HalfPlane& kept,
     close(part);
 }
 
-// Places along y, none at first.
-struct Range {
-    int least = std::numeric_limits<int>::max();
-    int most = std::numeric_limits<int>::min();
-
-    bool empty() const { return least > most; }
-    int length() const { return empty() ? 0 : most - least; }
-    void add(int place) {
-        least = std::min(least, place);
-        most = std::max(most, place);
-    }
-};
-
-Range rows_at(std::span<const PolygonVertex> part, int first_x, int last_x) {
-    Range rows;
-    for (const PolygonVertex& vertex : part) {
-        if (first_x <= vertex.x && vertex.x <= last_x) {
-            rows.add(vertex.y);
-        }
-    }
-    return rows;
-}
-
-// Whether on more rows than not, of those on which the outline reaches the gap between two columns,
-// neither part would have a pixel.
-bool loses_rows(std::span<const PolygonVertex> outline, const std::vector<PolygonVertex>& low,
-                const std::vector<PolygonVertex>& high, int last_low, int first_high) {
-    const Range low_end = rows_at(low, last_low, last_low);
-    const Range high_end = rows_at(high, first_high, first_high);
-    Range all = rows_at(outline, last_low + 1, first_high - 1);
-    if (low_end.empty() && high_end.empty()) {
-        return !all.empty();
-    }
-    int kept = low_end.length() + high_end.length();
-    for (const Range& end : {low_end, high_end}) {
-        if (!end.empty()) {
-            all.add(end.least);
-            all.add(end.most);
-        }
-    }
-    if (!low_end.empty() && !high_end.empty()) {
-        const int both =
-            std::min(low_end.most, high_end.most) - std::max(low_end.least, high_end.least);
-        kept -= std::max(both, 0);
-    }
-    return all.length() - kept > kept;
-}
-
 }  // namespace
 
 void cut_polygon(std::span<const PolygonVertex> outline, CutAxis axis, int line,
-                 std::vector<PolygonVertex>& low, std::vector<PolygonVertex>& high, int unit) {
-    const int last_low = (line - 1) * unit;
-    const int first_high = line * unit;
-    clip(outline, {axis, last_low, last_low, true}, low);
-    clip(outline, {axis, first_high, first_high, false}, high);
-    if (unit > 1 && axis == CutAxis::x && loses_rows(outline, low, high, last_low, first_high)) {
-        const int middle = first_high - unit / 2;
-        clip(outline, {axis, middle - 1, middle, true}, low);
-        clip(outline, {axis, middle, middle, false}, high);
-    }
+                 std::vector<PolygonVertex>& low, std::vector<PolygonVertex>& high) {
+    clip(outline, {axis, line - 1, true}, low);
+    clip(outline, {axis, line, false}, high);
 }
 
 }  // namespace rasterloom

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What a polygon splitter does to a polygon: parts it at a line of the screen (Parks 1982, 1.3).
+// What a polygon splitter does to a polygon for programs of the thesis' precision: cuts it at a
+// line of the screen (Parks 1982, 1.3). In full precision it leaves edges whole
+// (machine/fabric/polygon_part.hpp).
 //
 // The low part keeps coordinates up to line - 1, the high part those from line on, so that every
-// column or row of pixels belongs to one of them. Coordinates count in `unit`s to a pixel (1 or
-// kSubpixels). An edge that crosses line - 1 gets a vertex there for the low part, one that crosses
-// line one there for the high part, unless its own end stands there. With lo and hi its ends, lo
-// the one with the lower coordinate c, each of the other coordinate, z and shade is at coordinate t
+// column or row of pixels belongs to one of them. An edge that crosses line - 1 gets a vertex there
+// for the low part, one that crosses line one there for the high part, unless its own end stands
+// there. With lo and hi its ends, lo the one with the lower coordinate c, each of the other
+// coordinate, z and shade is at coordinate t
 //
 //     v_lo + round((v_hi - v_lo) * (t - c_lo) / (c_hi - c_lo))      halves upwards
 //
 // which depends on the edge alone, not on the direction in which a polygon runs along it: two
-// polygons that share an edge still share it in each part. With kSubpixels a cut moves an edge by
-// 1/64 of a pixel; with whole pixels by half a pixel, which is what splitters with the thesis'
-// integers do.
-//
-// With kSubpixels vertices of earlier cuts can stand between line - 1 and line. What lies between
-// two rows covers no pixel and is in neither part. Between two columns it does cover pixels, since
-// each end of a segment goes to the nearest one; edges on their way through that gap lose up to a
-// pixel of the outline. Where that would be all that a sliver or a line has on most of its rows
-// there, it is parted at line - 1/2 instead: the low part's new vertices are then moved one unit to
-// the left, to belong to column line - 1.
+// polygons that share an edge still share it in each part. A cut moves an edge by half a pixel.
 //
 // A part keeps the polygon's direction, its sequence of vertices and what the tilers live from: its
 // outline goes up once and down once (rounding can bend it by less than a pixel). It has at most
@@ -40,6 +33,6 @@ namespace rasterloom {
 // the whole polygon is left as it is; in the others, a vertex that stands where the one before it
 // does (the same x and y) is left out, and so is the last one when it stands where the first does.
 void cut_polygon(std::span<const PolygonVertex> outline, topology::CutAxis axis, int line,
-                 std::vector<PolygonVertex>& low, std::vector<PolygonVertex>& high, int unit = 1);
+                 std::vector<PolygonVertex>& low, std::vector<PolygonVertex>& high);
 
 }  // namespace rasterloom

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/fabric/polygon_message.hpp"
 
-#include <stdexcept>
-
-#include <fmt/format.h>
+#include <cstdlib>
 
 namespace rasterloom {
 
@@ -30,21 +28,18 @@ void put_header(std::vector<std::uint8_t>& bytes, PolygonMessage kind, std::uint
 
 }  // namespace
 
-void check_polygon_unit(const std::string& name, int unit) {
-    if (unit != 1 && unit != kSubpixels) {
-        throw std::invalid_argument(fmt::format(
-            "{}: {} units of x and y to a pixel, expected 1 or {}", name, unit, kSubpixels));
-    }
-}
-
-void write_polygon(std::vector<std::uint8_t>& bytes, std::span<const PolygonVertex> outline,
-                   std::uint8_t hops, int scale) {
-    put_header(bytes, PolygonMessage::polygon, hops, static_cast<int>(outline.size()));
-    for (const PolygonVertex& vertex : outline) {
-        put_word(bytes, vertex.x * scale);
-        put_word(bytes, vertex.y * scale);
+void write_polygon(std::vector<std::uint8_t>& bytes, const Polygon& polygon, std::uint8_t hops) {
+    const auto vertices = static_cast<int>(polygon.vertices.size());
+    put_header(bytes, PolygonMessage::polygon, hops, polygon.rows ? -vertices : vertices);
+    for (const PolygonVertex& vertex : polygon.vertices) {
+        put_word(bytes, vertex.x);
+        put_word(bytes, vertex.y);
         put_word(bytes, vertex.z);
         put_word(bytes, vertex.shade);
+    }
+    if (polygon.rows) {
+        put_word(bytes, polygon.rows->highest);
+        put_word(bytes, polygon.rows->lowest);
     }
 }
 
@@ -57,20 +52,26 @@ PolygonMessage kind_of_polygon_message(std::span<const std::uint8_t> bytes) {
 }
 
 int vertices_of_polygon_message(std::span<const std::uint8_t> bytes) {
-    return kind_of_polygon_message(bytes) == PolygonMessage::polygon ? word_at(bytes, 2) : 0;
+    const bool is_polygon = kind_of_polygon_message(bytes) == PolygonMessage::polygon;
+    return is_polygon ? std::abs(word_at(bytes, 2)) : 0;
 }
 
 std::uint8_t hops_of_polygon_message(std::span<const std::uint8_t> bytes) {
     return bytes[1];
 }
 
-void read_polygon(std::span<const std::uint8_t> bytes, std::vector<PolygonVertex>& outline) {
-    outline.clear();
+void read_polygon(std::span<const std::uint8_t> bytes, Polygon& polygon) {
+    polygon.vertices.clear();
+    polygon.rows.reset();
     const auto count = static_cast<std::size_t>(vertices_of_polygon_message(bytes));
+    std::size_t at = kPolygonHeaderBytes;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = kPolygonHeaderBytes + i * kPolygonVertexBytes;
-        outline.push_back({word_at(bytes, at), word_at(bytes, at + 2), word_at(bytes, at + 4),
-                           word_at(bytes, at + 6)});
+        polygon.vertices.push_back({word_at(bytes, at), word_at(bytes, at + 2),
+                                    word_at(bytes, at + 4), word_at(bytes, at + 6)});
+        at += kPolygonVertexBytes;
+    }
+    if (count > 0 && word_at(bytes, 2) < 0) {
+        polygon.rows = PolygonRows{word_at(bytes, at), word_at(bytes, at + 2)};
     }
 }
 

@@ -107,7 +107,6 @@ class Builder {
         source.time_per_polygon = settings_.host_time_per_polygon;
         source.time_per_vertex = settings_.host_time_per_vertex;
         source.receiver_places = places(0);
-        source.unit = settings_.unit;
         source.phases_per_frame = settings_.phases_per_frame;
         source.supervised = settings_.supervised;
         network_.source = &simulation_.add<PolygonSource>("host", source);
@@ -116,7 +115,7 @@ class Builder {
     End add(const std::string& name, const Distribution::Cut& cut) {
         const SplitterSettings splitter{cut.axis,
                                         cut.line,
-                                        settings_.unit,
+                                        settings_.whole_edges,
                                         settings_.splitter_time_per_vertex,
                                         settings_.splitter_input_fifo,
                                         settings_.splitter_output_fifo,

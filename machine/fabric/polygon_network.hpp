@@ -30,8 +30,8 @@ struct PolygonFabricSettings {
     // The thesis' assumption: every time below is 0 (a wire has one tick), no FIFO is ever full,
     // and there is no frame-buffer bus: the image window stands in memory.
     bool ideal = false;
-    // 1 or kSubpixels: of x and y in messages, to a pixel; what the processors' program expects.
-    int unit = 1;
+    // What the processors' program expects of splitters: that they leave edges whole.
+    bool whole_edges = false;
 
     Duration host_time_per_polygon = Duration::microseconds(10);
     Duration host_time_per_vertex;

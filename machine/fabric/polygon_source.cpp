@@ -4,9 +4,6 @@
 #include "machine/fabric/polygon_message.hpp"
 #include "machine/fabric/supervisor.hpp"
 
-#include <algorithm>
-#include <cstdlib>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -27,7 +24,6 @@ PolygonSource::PolygonSource(std::string name, const PolygonSourceSettings& sett
     if (settings.phases_per_frame < 1) {
         throw std::invalid_argument(fmt::format("{}: a frame has at least 1 phase", this->name()));
     }
-    check_polygon_unit(this->name(), settings.unit);
     add_port("output");
     if (settings.supervised) {
         add_port("supervisor");
@@ -43,23 +39,9 @@ void PolygonSource::load(std::vector<std::vector<Polygon>> frames) {
                     fmt::format("polygon {} of frame {} has {} vertices, expected 1 to {}", i,
                                 frame, vertices, kMaxPolygonVertices));
             }
-            check_places(frames[frame][i], i, frame);
         }
     }
     frames_ = std::move(frames);
-}
-
-void PolygonSource::check_places(const Polygon& polygon, std::size_t index,
-                                 std::size_t frame) const {
-    const int most = std::numeric_limits<std::int16_t>::max() / settings_.unit;
-    for (const PolygonVertex& vertex : polygon.vertices) {
-        if (std::max(std::abs(vertex.x), std::abs(vertex.y)) > most) {
-            throw std::invalid_argument(
-                fmt::format("polygon {} of frame {} has a vertex at ({}, {}), expected at most {} "
-                            "where a message counts 1/{} of a pixel",
-                            index, frame, vertex.x, vertex.y, most, settings_.unit));
-        }
-    }
 }
 
 void PolygonSource::start() {
@@ -142,10 +124,9 @@ void PolygonSource::hand_on_message() {
     if (at_end()) {
         write_end_of_frame(message.bytes, 0);
     } else {
-        const std::vector<PolygonVertex>& outline = polygon().vertices;
-        write_polygon(message.bytes, outline, 0, settings_.unit);
+        write_polygon(message.bytes, polygon(), 0);
         ++statistics_.polygons;
-        statistics_.vertices += static_cast<std::int64_t>(outline.size());
+        statistics_.vertices += static_cast<std::int64_t>(polygon().vertices.size());
     }
     output_.release(now(), [this](Message* leaving) {
         send(kOutput, static_cast<EventKind>(MessageEvent::deliver), to_payload(leaving), now());

@@ -26,8 +26,7 @@ struct PolygonSourceSettings {
     Duration time_per_polygon = Duration::microseconds(10);  // at least 0
     Duration time_per_vertex;                                // at least 0
     int receiver_places = 4;                                 // messages; at least 1
-    int unit = 1;              // 1 or kSubpixels: in its messages, of x and y to a pixel
-    int phases_per_frame = 1;  // at least 1
+    int phases_per_frame = 1;                                // at least 1
     bool supervised = true;  // false: no wire to a supervisor; the frames follow each other at once
 };
 
@@ -49,8 +48,7 @@ class PolygonSource final : public Component {
 
     // What is to be drawn, by frames; before the run. When the run has more frames than these, they
     // begin again with the first; without any, all frames are empty. Throws std::invalid_argument
-    // for a polygon without vertices or with more than kMaxPolygonVertices, or with a vertex so far
-    // from the screen's corner that its place in the messages' unit does not fit a word.
+    // for a polygon without vertices or with more than kMaxPolygonVertices.
     void load(std::vector<std::vector<Polygon>> frames);
 
     const PolygonSourceStatistics& statistics() const { return statistics_; }
@@ -62,7 +60,6 @@ class PolygonSource final : public Component {
   private:
     enum class State : std::uint8_t { waiting, preparing, ready };
 
-    void check_places(const Polygon& polygon, std::size_t index, std::size_t frame) const;
     void begin_phase();
     void prepare_next();
     void hand_on();

@@ -3,6 +3,7 @@
 
 #include "machine/fabric/polygon_cut.hpp"
 #include "machine/fabric/polygon_message.hpp"
+#include "machine/fabric/polygon_part.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -27,7 +28,6 @@ PolygonSplitter::PolygonSplitter(std::string name, const SplitterSettings& setti
         throw std::invalid_argument(
             fmt::format("{}: a FIFO holds at least 1 polygon", this->name()));
     }
-    check_polygon_unit(this->name(), settings.unit);
     add_port("input");
     add_port("low");
     add_port("high");
@@ -65,18 +65,17 @@ void PolygonSplitter::take() {
 
 // Begins the work on the oldest polygon; it is done at once when it takes no time.
 void PolygonSplitter::begin() {
-    const std::vector<std::uint8_t>& bytes = input_.oldest().bytes;
     auto& [low, high] = outputs_;
-    read_polygon(bytes, outline_);
-    const auto vertices = static_cast<std::int64_t>(outline_.size());
+    read_polygon(input_.oldest().bytes, polygon_);
+    const auto vertices = static_cast<std::int64_t>(polygon_.vertices.size());
     if (vertices == 0) {
-        low.part.clear();
-        high.part.clear();
+        low.part.vertices.clear();
+        high.part.vertices.clear();
         low.gets = high.gets = true;
     } else {
-        cut_polygon(outline_, settings_.axis, settings_.line, low.part, high.part, settings_.unit);
-        low.gets = !low.part.empty();
-        high.gets = !high.part.empty();
+        cut();
+        low.gets = !low.part.vertices.empty();
+        high.gets = !high.part.vertices.empty();
         ++statistics_.polygons;
         statistics_.vertices += vertices;
         statistics_.cut += low.gets && high.gets ? 1 : 0;
@@ -89,6 +88,16 @@ void PolygonSplitter::begin() {
     } else {
         state_ = State::blocked;
         blocked_since_ = now();
+    }
+}
+
+void PolygonSplitter::cut() {
+    auto& [low, high] = outputs_;
+    if (settings_.whole_edges) {
+        part_polygon(polygon_, settings_.axis, settings_.line, low.part, high.part);
+    } else {
+        cut_polygon(polygon_.vertices, settings_.axis, settings_.line, low.part.vertices,
+                    high.part.vertices);
     }
 }
 
@@ -116,13 +125,13 @@ void PolygonSplitter::hand_on(Output& output) {
     message.port = from.port;
     message.queued = from.queued;
     const auto hops = static_cast<std::uint8_t>(hops_of_polygon_message(from.bytes) + 1);
-    if (output.part.empty()) {
+    if (output.part.vertices.empty()) {
         message.bytes = from.bytes;
         message.bytes[1] = hops;
     } else {
         write_polygon(message.bytes, output.part, hops);
         ++output.polygons;
-        output.vertices += static_cast<std::int64_t>(output.part.size());
+        output.vertices += static_cast<std::int64_t>(output.part.vertices.size());
     }
     release(output);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A polygon splitter (Parks 1982, 1.3): takes polygons one after the other, cuts each at its line
-// (machine/fabric/polygon_cut.hpp) and hands the parts on, those below the line by one output, the
-// others by the other.
+// (machine/fabric/polygon_cut.hpp; machine/fabric/polygon_part.hpp where edges stay whole) and
+// hands the parts on, those below the line by one output, the others by the other.
 //
 //                      +--------------------+---[ output FIFO ]--- low
 //     --[ input FIFO ]-|  one polygon's work |
@@ -30,7 +30,7 @@ namespace rasterloom {
 struct SplitterSettings {
     topology::CutAxis axis = topology::CutAxis::x;
     int line = 0;                                           // the first coordinate of the high side
-    int unit = 1;                                           // 1 or kSubpixels: of messages, a pixel
+    bool whole_edges = false;                               // parts; else edges are cut
     Duration time_per_vertex = Duration::nanoseconds(600);  // at least 0
     int input_fifo = 4;                                     // messages; at least 1
     int output_fifo = 4;                                    // messages, each; at least 1
@@ -77,8 +77,8 @@ class PolygonSplitter final : public Component {
 
         PortIndex port;
         OutputFifo fifo;
-        bool gets = false;                // a part of the polygon in work
-        std::vector<PolygonVertex> part;  // its vertices; none at the end of a frame
+        bool gets = false;  // a part of the polygon in work
+        Polygon part;       // no vertices at the end of a frame
         std::int64_t polygons = 0;
         std::int64_t vertices = 0;
         Duration blocked;
@@ -88,6 +88,7 @@ class PolygonSplitter final : public Component {
 
     void take();
     void begin();
+    void cut();
     bool hand_on();
     void hand_on(Output& output);
     void release(Output& output);
@@ -98,7 +99,7 @@ class PolygonSplitter final : public Component {
     Time blocked_since_;
     InputFifo input_;
     std::array<Output, 2> outputs_;  // low, high
-    std::vector<PolygonVertex> outline_;
+    Polygon polygon_;                // in work
     SplitterStatistics statistics_;  // but the outputs'
 };
 

@@ -16,13 +16,8 @@
 // drawn when its depth is less than what stands there; at first that is kClearedDepth. The grey
 // level is shade / kShadeUnit, rounded down.
 //
-// Vertices between pixels: what splitters have cut stands on multiples of 1/32 (kSubpixels) pixel,
-// in full precision. The lines are those between the highest and the lowest vertex, ends included;
-// n and k are then multiples of 1/32 line, with n >= 1 the formula is
-//     full:    (v_a * 2^16 + 2^15 + ((32 * k * q) >> 4)) >> 16
-// (for whole k the one above), and where n < 1, so that one line at most crosses the edge,
-//     full:    v_a + (v_b - v_a) * k / n, cut towards zero
-// in 1/32 pixel for x. A side's x is rounded to the nearest pixel, halves to the right.
+// Parts (machine/fabric/polygon_part.hpp) are drawn on their rows only, as the whole polygon is
+// there.
 #pragma once
 
 #include "machine/fabric/polygon.hpp"
@@ -41,7 +36,6 @@ struct PolygonRenderOptions {
     int height = 512;
     int background = 0;  // grey level
     Precision precision = Precision::full;
-    int unit = 1;  // of the vertices' x and y, to a pixel: 1, or in full precision kSubpixels
 };
 
 struct DepthPicture {

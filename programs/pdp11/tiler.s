@@ -1,12 +1,12 @@
 ; SPDX-License-Identifier: MIT
-; The tiler: draws convex polygons of 1 to 14 vertices, depth-buffered and with interpolated shade, on the grid of pixels that
-; one processor of Parks' machines owns (Parks 1982, chapter 2). One source serves all machines and both precisions;
+; The tiler: draws convex polygons of 1 to 14 vertices, and parts of such, depth-buffered and with interpolated shade, on the
+; grid of pixels that one processor of Parks' machines owns (Parks 1982, chapter 2). One source serves all machines and both precisions;
 ; docs/tiler-program.md explains it and says what it costs.
 ;
 ; What is drawn: machine/host/polygon_renderer.hpp states the rule, bit for bit. Formats of polygons and messages:
 ; machine/fabric/polygon.hpp. Symbols that choose the program, set before assembly:
-;   full              1: slopes with 15 bits of fraction, vertices on 1/32 pixel (default). 0: whole numbers, as in the thesis'
-;                     listing
+;   full              1: slopes with 15 bits of fraction, and parts of polygons (default). 0: whole numbers, as in the thesis'
+;                     listing; splitters cut polygons
 ;   skip_deltas       1: no division for a slope that nothing will use, or that is 0. 0: always divide (default)
 ;   frame_buffer_bus  1: the image is written over the frame-buffer bus. 0: in memory (default)
 ;   half_digested     1: polygons are set up by one processor each, which broadcasts them to the others. 0: by all (default)
@@ -41,14 +41,20 @@ skip_deltas = 0
 half_digested = 0
         .endc
 
+        .if ne full
+takes_parts = 1                         ; the machine's splitters then leave edges whole
+        .endc
+
 phases_per_frame = 1
 phase_name_draw  = 0
 
         .include "include/node.s"
         .include "include/frame_buffer.s"
-        .include "tiler/places.s"
         .include "tiler/slope.s"
         .include "tiler/neighbour.s"
+        .if ne full
+        .include "tiler/part.s"
+        .endc
         .if ne half_digested
         .include "tiler/digest_side.s"
         .endc
@@ -74,6 +80,9 @@ next_polygon:
         mov     #message, @#ports_base+rxaddr   ; holds until a message is there
         mov     vertex_count, r1
         beq     end_of_frame
+        .if ne full
+        bmi     begin_part
+        .endc
         .else
         .include "tiler/digest.s"
         .endc

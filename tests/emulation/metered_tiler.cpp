@@ -3,6 +3,7 @@
 
 #include "isa/pdp11/pdp11.hpp"
 #include "machine/emulation/tiler_loader.hpp"
+#include "machine/fabric/polygon_message.hpp"
 #include "machine/node/registers.hpp"
 
 #include <stdexcept>
@@ -18,29 +19,12 @@ constexpr std::uint32_t own(NodeRegister which) {
     return kNodeRegisters + static_cast<std::uint32_t>(which);
 }
 
-std::vector<std::uint8_t> message_of(PolygonMessage kind, const Polygon& polygon, int unit) {
-    std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(kind), 0};
-    const auto add = [&](int value) {
-        bytes.push_back(static_cast<std::uint8_t>(value & 0xff));
-        bytes.push_back(static_cast<std::uint8_t>(value >> 8 & 0xff));
-    };
-    add(static_cast<int>(polygon.vertices.size()));
-    for (const PolygonVertex& v : polygon.vertices) {
-        add(v.x * unit);
-        add(v.y * unit);
-        add(v.z);
-        add(v.shade);
-    }
-    return bytes;
-}
-
 }  // namespace
 
 MeteredTiler::MeteredTiler(const Program& program, const topology::PixelGrid& grid, int width,
                            int height)
     : core_(isa::pdp11::pdp11_isa().make_core(program.prepared, {})),
       frame_buffer_(*core_, {.rows = grid.rows, .columns = grid.columns}),
-      unit_(static_cast<int>(program.image.symbol("subpixels").value_or(1))),
       taps_(program.image),
       meter_(taps_, frame_buffer_) {
     load_tiler(*core_, program.image, grid, {width, height, 0});
@@ -50,9 +34,9 @@ MeteredTiler::MeteredTiler(const Program& program, const topology::PixelGrid& gr
 void MeteredTiler::draw(const Frames& frames, bool metered) {
     for (const auto& frame : frames) {
         for (const Polygon& polygon : frame) {
-            messages_.push_back(message_of(PolygonMessage::polygon, polygon, unit_));
+            write_polygon(messages_.emplace_back(), polygon, 0);
         }
-        messages_.push_back(message_of(PolygonMessage::end_of_frame, {}, unit_));
+        write_end_of_frame(messages_.emplace_back(), 0);
     }
     frames_left_ = frames.size();
     core_->set_taps(metered ? taps_.addresses() : std::vector<std::uint32_t>());

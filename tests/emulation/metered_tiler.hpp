@@ -43,7 +43,6 @@ class MeteredTiler final : private isa::Bus {
 
     std::unique_ptr<isa::Core> core_;
     FrameBuffer frame_buffer_;
-    int unit_;  // of x and y in messages, to a pixel
     emulation::TilerTaps taps_;
     emulation::AppendixCMeter meter_;
     std::deque<std::vector<std::uint8_t>> messages_;

@@ -107,7 +107,7 @@ class PolygonCore final : public isa::Core {
             return;
         }
         Polygon polygon;
-        read_polygon(memory_, polygon.vertices);
+        read_polygon(memory_, polygon);
         work_ = cycles_per_vertex_ * static_cast<std::int64_t>(polygon.vertices.size());
         frames.back().push_back(std::move(polygon));
     }

@@ -25,23 +25,10 @@ struct Parts {
     Outline high;
 };
 
-Parts cut(const Outline& outline, CutAxis axis, int line, int unit = 1) {
+Parts cut(const Outline& outline, CutAxis axis, int line) {
     Parts parts;
-    cut_polygon(outline, axis, line, parts.low, parts.high, unit);
+    cut_polygon(outline, axis, line, parts.low, parts.high);
     return parts;
-}
-
-int any_unit() {
-    return *rc::gen::element(1, kSubpixels);
-}
-
-// From whole pixels to units.
-Outline scaled(Outline outline, int unit) {
-    for (PolygonVertex& vertex : outline) {
-        vertex.x = static_cast<std::int16_t>(vertex.x * unit);
-        vertex.y = static_cast<std::int16_t>(vertex.y * unit);
-    }
-    return outline;
 }
 
 int across(const PolygonVertex& vertex, CutAxis axis) {
@@ -66,13 +53,12 @@ Outline any_convex(int size, int most = kMaxPolygonVertices) {
     return hull;
 }
 
-std::vector<bool> covered(const std::vector<Outline>& outlines, int size, int unit = 1) {
+std::vector<bool> covered(const std::vector<Outline>& outlines, int size) {
     std::vector<Polygon> polygons;
     for (const Outline& outline : outlines) {
         polygons.push_back({outline});
     }
-    const auto drawn =
-        host::render_polygons(polygons, {size, size, 0, host::Precision::full, unit}).drawn;
+    const auto drawn = host::render_polygons(polygons, {size, size, 0}).drawn;
     return {drawn.begin(), drawn.end()};
 }
 
@@ -93,11 +79,10 @@ double distance(const Outline& outline, double x, double y) {
 }
 
 // How far from the whole polygon's outline, in pixels, the parts' picture differs from its own; 0
-// for nowhere. The whole polygon is in pixels, the parts in units.
-double farthest_difference(const Outline& whole, const std::vector<Outline>& parts, int size,
-                           int unit = 1) {
+// for nowhere.
+double farthest_difference(const Outline& whole, const std::vector<Outline>& parts, int size) {
     const auto before = covered({whole}, size);
-    const auto after = covered(parts, size, unit);
+    const auto after = covered(parts, size);
     double farthest = 0;
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
@@ -156,23 +141,18 @@ TEST(PolygonCut, LeavesOutVerticesThatFallTogether) {
                                        PolygonVertex{0, 2, 0, 0}));
 }
 
-// Slivers may be parted in the middle between two columns.
 TEST(PolygonCut, KeepsEveryPartOnItsSideWithAtMostOneVertexMore) {
     EXPECT_TRUE(rc::check([] {
-        const int unit = any_unit();
-        const Outline whole = scaled(any_convex(64), unit);
+        const Outline whole = any_convex(64);
         const auto axis = *rc::gen::element(CutAxis::x, CutAxis::y);
         const int line = *rc::gen::inRange(1, 64);
-        const Parts parts = cut(whole, axis, line, unit);
+        const Parts parts = cut(whole, axis, line);
         RC_ASSERT(!parts.low.empty() || !parts.high.empty());
-        const auto nearest = [&](const PolygonVertex& vertex) {
-            return (across(vertex, axis) + unit / 2) / unit;
-        };
         for (const PolygonVertex& vertex : parts.low) {
-            RC_ASSERT(nearest(vertex) < line);
+            RC_ASSERT(across(vertex, axis) < line);
         }
         for (const PolygonVertex& vertex : parts.high) {
-            RC_ASSERT(nearest(vertex) >= line);
+            RC_ASSERT(across(vertex, axis) >= line);
         }
         RC_ASSERT(parts.low.size() <= whole.size() + 1);
         RC_ASSERT(parts.high.size() <= whole.size() + 1);
@@ -181,55 +161,12 @@ TEST(PolygonCut, KeepsEveryPartOnItsSideWithAtMostOneVertexMore) {
 
 TEST(PolygonCut, CoversWhatTheWholeCoversButForTheRoundingOfItsEdges) {
     EXPECT_TRUE(rc::check([] {
-        const int unit = any_unit();
         const Outline whole = any_convex(40);
         const auto axis = *rc::gen::element(CutAxis::x, CutAxis::y);
-        const Parts parts = cut(scaled(whole, unit), axis, *rc::gen::inRange(1, 40), unit);
-        const double farthest = farthest_difference(whole, {parts.low, parts.high}, 40, unit);
+        const Parts parts = cut(whole, axis, *rc::gen::inRange(1, 40));
+        const double farthest = farthest_difference(whole, {parts.low, parts.high}, 40);
         RC_ASSERT(farthest <= 1.0);
     }));
-}
-
-TEST(PolygonCut, RoundsToTheNearestThirtySecondOfAPixel) {
-    const Outline line = scaled({{0, 3, 10, 8}, {2, 0, 5, 13}, {9, 9, 9, 9}}, kSubpixels);
-    const Outline low = cut(line, CutAxis::x, 2, kSubpixels).low;
-    EXPECT_THAT(low, ElementsAre(PolygonVertex{0, 96, 10, 8}, PolygonVertex{32, 48, 8, 11},
-                                 PolygonVertex{32, 117, 10, 8}));  // 3 + 2/3 to 117/32
-}
-
-TEST(PolygonCut, DropsWhatLiesBetweenTwoRowsAndCoversNoPixel) {
-    const Outline between{{0, 5 * 32 + 1, 0, 0}, {90, 5 * 32 + 9, 0, 0}, {9, 6 * 32 - 1, 0, 0}};
-    const Parts parts = cut(between, CutAxis::y, 6, kSubpixels);
-    EXPECT_TRUE(parts.low.empty());
-    EXPECT_TRUE(parts.high.empty());
-}
-
-TEST(PolygonCut, PartsWhatLiesBetweenTwoColumnsInTheirMiddle) {
-    const Outline sliver{
-        {4 * 32 + 1, 0, 0, 0}, {5 * 32 - 1, 320, 300, 30}, {4 * 32 + 1, 320, 0, 0}};
-    const Parts parts = cut(sliver, CutAxis::x, 5, kSubpixels);
-    EXPECT_EQ(covered({sliver}, 16, kSubpixels), covered({parts.low, parts.high}, 16, kSubpixels));
-}
-
-// In whole pixels the steep one would lose all pixels between its ends.
-TEST(PolygonCut, LeavesLinesAPixelOnEachRow) {
-    for (const Outline& line :
-         {Outline{{4, 0, 0, 0}, {5, 60, 9, 9}}, Outline{{20, 60, 0, 0}, {2, 0, 9, 9}},
-          Outline{{1, 0, 0, 0}, {63, 60, 9, 9}}}) {
-        for (int at = 1; at < 64; ++at) {
-            const Parts parts = cut(scaled(line, kSubpixels), CutAxis::x, at, kSubpixels);
-            const auto drawn = covered({parts.low, parts.high}, 64, kSubpixels);
-            int more = 0;  // where both parts reach the row
-            for (int row = 3; row < 64; ++row) {
-                const auto pixels =
-                    std::count(drawn.begin() + row * 64, drawn.begin() + (row + 1) * 64, true);
-                EXPECT_GE(pixels, 1) << "cut at " << at << ", y = " << 63 - row;
-                more += static_cast<int>(pixels) - 1;
-            }
-            EXPECT_LE(more, 1) << at;
-            EXPECT_LE(farthest_difference(line, {parts.low, parts.high}, 64, kSubpixels), 0.53);
-        }
-    }
 }
 
 // The gap between the last column of one part and the first of the other counts with them.
@@ -266,11 +203,9 @@ TEST(PolygonCut, GivesNeighboursTheSamePointsOnTheEdgeTheyShare) {
         const PolygonVertex b = vertex_on(512);
         const auto axis = *rc::gen::element(CutAxis::x, CutAxis::y);
         const int line = *rc::gen::inRange(1, 512);
-        // In fine units slivers are parted between columns elsewhere than their neighbours.
-        const int unit = axis == CutAxis::y ? any_unit() : 1;
-        const Parts there = cut(scaled({a, b, vertex_on(512)}, unit), axis, line, unit);
-        const Parts back = cut(scaled({b, a, vertex_on(512)}, unit), axis, line, unit);
-        const Parts edge = cut(scaled({a, b}, unit), axis, line, unit);
+        const Parts there = cut({a, b, vertex_on(512)}, axis, line);
+        const Parts back = cut({b, a, vertex_on(512)}, axis, line);
+        const Parts edge = cut({a, b}, axis, line);
         for (const auto part : {&Parts::low, &Parts::high}) {
             for (const PolygonVertex& point : edge.*part) {
                 const auto stands_there = [&](const PolygonVertex& vertex) {
@@ -285,7 +220,7 @@ TEST(PolygonCut, GivesNeighboursTheSamePointsOnTheEdgeTheyShare) {
 
 // Parts of a screen of `size` by turns, as Parks' tree does, down to `levels` cuts.
 void cut_by_turns(const Outline& outline, int left, int bottom, int width, int height, int levels,
-                  int unit, std::vector<Outline>& parts) {
+                  std::vector<Outline>& parts) {
     if (outline.empty()) {
         return;
     }
@@ -295,20 +230,19 @@ void cut_by_turns(const Outline& outline, int left, int bottom, int width, int h
     }
     const bool along_x = width >= height;
     const int line = along_x ? left + width / 2 : bottom + height / 2;
-    const Parts halves = cut(outline, along_x ? CutAxis::x : CutAxis::y, line, unit);
+    const Parts halves = cut(outline, along_x ? CutAxis::x : CutAxis::y, line);
     const int half_width = along_x ? width / 2 : width;
     const int half_height = along_x ? height : height / 2;
-    cut_by_turns(halves.low, left, bottom, half_width, half_height, levels - 1, unit, parts);
+    cut_by_turns(halves.low, left, bottom, half_width, half_height, levels - 1, parts);
     cut_by_turns(halves.high, along_x ? line : left, along_x ? bottom : line, half_width,
-                 half_height, levels - 1, unit, parts);
+                 half_height, levels - 1, parts);
 }
 
 TEST(PolygonCut, AddsAtMostOneVertexForEachSideOfAPartOfTheScreenInATreeOfEightLevels) {
     EXPECT_TRUE(rc::check([] {
-        const int unit = any_unit();
         const Outline whole = any_convex(512);
         std::vector<Outline> parts;
-        cut_by_turns(scaled(whole, unit), 0, 0, 512, 512, 8, unit, parts);
+        cut_by_turns(whole, 0, 0, 512, 512, 8, parts);
         for (const Outline& part : parts) {
             RC_ASSERT(part.size() <= whole.size() + 4);
             RC_ASSERT(part.size() <= static_cast<std::size_t>(kMaxCutVertices));
@@ -316,15 +250,14 @@ TEST(PolygonCut, AddsAtMostOneVertexForEachSideOfAPartOfTheScreenInATreeOfEightL
     }));
 }
 
-// Each cut moves an edge's end by half a unit at most; the errors of a tree's levels add up.
+// Each cut moves an edge's end by half a pixel at most; the errors of a tree's levels add up.
 TEST(PolygonCut, CoversWhatTheWholeCoversButForTheRoundingOfEachLevelOfATree) {
     EXPECT_TRUE(rc::check([] {
-        const int unit = any_unit();
         const Outline whole = any_convex(64);
         const int levels = *rc::gen::inRange(1, 7);
         std::vector<Outline> parts;
-        cut_by_turns(scaled(whole, unit), 0, 0, 64, 64, levels, unit, parts);
-        RC_ASSERT(farthest_difference(whole, parts, 64, unit) <= 1.0 + 0.5 / unit * (levels - 1));
+        cut_by_turns(whole, 0, 0, 64, 64, levels, parts);
+        RC_ASSERT(farthest_difference(whole, parts, 64) <= 1.0 + 0.5 * (levels - 1));
     }));
 }
 

@@ -229,14 +229,6 @@ TEST(PolygonFabric, RefusesSettingsOutOfRange) {
     settings = {};
     settings.time_per_polygon = negative;
     EXPECT_THROW(PolygonSource("h", settings), std::invalid_argument);
-    settings = {};
-    settings.unit = 2;
-    EXPECT_THROW(PolygonSource("h", settings), std::invalid_argument);
-    EXPECT_THROW(PolygonSplitter("s", {.unit = 0}), std::invalid_argument);
-    settings.unit = kSubpixels;
-    PolygonSource fine("h", settings);
-    EXPECT_NO_THROW(fine.load({{Polygon{{{1023, 1023, 0, 0}}}}}));
-    EXPECT_THROW(fine.load({{Polygon{{{0, 1024, 0, 0}}}}}), std::invalid_argument);
     PolygonSource source("h", {});
     EXPECT_THROW(source.load({{Polygon{}}}), std::invalid_argument);
     EXPECT_THROW(source.load({{Polygon{std::vector<PolygonVertex>(11)}}}), std::invalid_argument);

@@ -2,6 +2,7 @@
 // Whole machines between a host and processors that collect polygons: who gets what, in which
 // order, and when.
 #include "machine/fabric/polygon_cut.hpp"
+#include "machine/fabric/polygon_part.hpp"
 #include "tests/fabric/polygon_machine.hpp"
 #include "tests/node/script_program.hpp"
 
@@ -46,7 +47,7 @@ PolygonMachineSettings any_machine() {
     machine.tiling = {part(), part(), *rc::gen::element(1, 2), *rc::gen::element(1, 2)};
     PolygonFabricSettings& fabric = machine.fabric;
     fabric.ideal = *rc::gen::inRange(0, 5) == 0;
-    fabric.unit = *rc::gen::element(1, kSubpixels);
+    fabric.whole_edges = *rc::gen::element(false, true);
     fabric.host_time_per_polygon = any_time();
     fabric.host_time_per_vertex = any_time();
     fabric.splitter_time_per_vertex = any_time();
@@ -65,27 +66,23 @@ PolygonMachineSettings any_machine() {
     return machine;
 }
 
-Polygon scaled(Polygon polygon, int unit) {
-    for (PolygonVertex& vertex : polygon.vertices) {
-        vertex.x = static_cast<std::int16_t>(vertex.x * unit);
-        vertex.y = static_cast<std::int16_t>(vertex.y * unit);
-    }
-    return polygon;
-}
-
 // What each processor is to get, by the distribution alone.
 void distribute(const Distribution& distribution, std::size_t element, const Polygon& polygon,
-                int unit, std::vector<std::vector<Polygon>>& to) {
+                bool whole_edges, std::vector<std::vector<Polygon>>& to) {
     const auto& what = distribution.elements[element].what;
     if (const auto* cut = std::get_if<Distribution::Cut>(&what)) {
         Polygon low;
         Polygon high;
-        cut_polygon(polygon.vertices, cut->axis, cut->line, low.vertices, high.vertices, unit);
+        if (whole_edges) {
+            part_polygon(polygon, cut->axis, cut->line, low, high);
+        } else {
+            cut_polygon(polygon.vertices, cut->axis, cut->line, low.vertices, high.vertices);
+        }
         if (!low.vertices.empty()) {
-            distribute(distribution, cut->low, low, unit, to);
+            distribute(distribution, cut->low, low, whole_edges, to);
         }
         if (!high.vertices.empty()) {
-            distribute(distribution, cut->high, high, unit, to);
+            distribute(distribution, cut->high, high, whole_edges, to);
         }
     } else if (const auto* all = std::get_if<Distribution::Broadcast>(&what)) {
         for (const NodeIndex processor : all->processors) {
@@ -106,8 +103,7 @@ TEST(PolygonNetwork, GivesEveryProcessorItsPartOfEveryPolygonInTheirOrder) {
         for (std::size_t frame = 0; frame < frames.size(); ++frame) {
             std::vector<std::vector<Polygon>> expected(machine.cores.size());
             for (const Polygon& polygon : frames[frame]) {
-                distribute(machine.distribution, 0, scaled(polygon, settings.fabric.unit),
-                           settings.fabric.unit, expected);
+                distribute(machine.distribution, 0, polygon, settings.fabric.whole_edges, expected);
             }
             for (std::size_t node = 0; node < expected.size(); ++node) {
                 RC_ASSERT(machine.cores[node]->frames.size() == frames.size());

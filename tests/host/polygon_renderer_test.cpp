@@ -73,48 +73,19 @@ TEST(PolygonRenderer, CutsSlopesToWholeNumbersInTheThesisPrecision) {
     EXPECT_EQ(drawn.depth[index_of(drawn, 0, 3)], 700);
 }
 
-TEST(PolygonRenderer, DrawsWholeVerticesTheSameInEitherUnit) {
-    const Polygon whole{{{1, 2, 5, 0}, {14, 0, 900, kWhite}, {15, 9, 70, 50}, {3, 11, 8, 300}}};
-    Polygon fine = whole;
-    for (auto& vertex : fine.vertices) {
-        vertex.x = static_cast<std::int16_t>(vertex.x * kSubpixels);
-        vertex.y = static_cast<std::int16_t>(vertex.y * kSubpixels);
+TEST(PolygonRenderer, DrawsAPartOnItsRowsAsTheWholePolygonIsThere) {
+    Polygon polygon{{{1, 2, 5, 0}, {14, 0, 900, kWhite}, {15, 9, 70, 50}, {3, 11, 8, 300}}};
+    const auto whole = render_polygons(std::vector<Polygon>{polygon}, small());
+    polygon.rows = PolygonRows{8, 3};
+    const auto part = render_polygons(std::vector<Polygon>{polygon}, small());
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const auto pixel = index_of(part, x, y);
+            const bool is_drawn = 3 <= y && y <= 8;
+            EXPECT_EQ(part.depth[pixel], is_drawn ? whole.depth[pixel] : kClearedDepth);
+            EXPECT_EQ(part.drawn[pixel], is_drawn ? whole.drawn[pixel] : 0U);
+        }
     }
-    auto options = small();
-    const auto expected = render_polygons(std::vector<Polygon>{whole}, options);
-    options.unit = kSubpixels;
-    const auto found = render_polygons(std::vector<Polygon>{fine}, options);
-    EXPECT_EQ(found.depth, expected.depth);
-    EXPECT_EQ(found.picture, expected.picture);
-}
-
-TEST(PolygonRenderer, FollowsEdgesBetweenPixels) {
-    // x = 2 + 9 t, y = 1.5 + 8 t, z = 1000 t in 1/32 pixels: each row has the nearest x of the
-    // line.
-    auto options = small();
-    options.unit = kSubpixels;
-    const Polygon line{{{64, 48, 0, 0}, {352, 304, 1000, 0}}};
-    const auto drawn = render_polygons(std::vector<Polygon>{line}, options);
-    EXPECT_EQ(covered(drawn), 8U);  // rows 2 to 9
-    for (int y = 2; y <= 9; ++y) {
-        const double t = (y - 1.5) / 8;
-        const auto pixel = index_of(drawn, static_cast<int>(2.5 + 9 * t), y);
-        EXPECT_EQ(drawn.drawn[pixel], 1U) << y;
-        EXPECT_NEAR(drawn.depth[pixel], 1000 * t, 0.51) << y;
-    }
-}
-
-TEST(PolygonRenderer, CrossesAnEdgeLessThanALineHighOnceAtMost) {
-    auto options = small();
-    options.unit = kSubpixels;
-    // From 5/32 below row 4 to 3/32 above it, twice the screen's depth apart; and one between rows.
-    const std::vector<Polygon> polygons{{{{32, 123, 0, 0}, {96, 131, 32000, 0}}},
-                                        {{{32, 170, 0, 0}, {96, 180, 32000, 0}}}};
-    const auto drawn = render_polygons(polygons, options);
-    EXPECT_EQ(covered(drawn), 1U);
-    EXPECT_EQ(drawn.depth[index_of(drawn, 2, 4)], 20000);  // 5/8 of the way up; x = 2.25
-    options.precision = Precision::thesis;
-    EXPECT_THROW(render_polygons(polygons, options), std::invalid_argument);
 }
 
 TEST(PolygonRenderer, LeavesOutWhatLiesBesideThePicture) {

@@ -46,9 +46,7 @@ class Group {
     }
 
     // `order` chooses who runs when. Throws when all stand still before the frame is over.
-    void draw(std::span<const Polygon> polygons, bool last_frame, Random& order,
-              Places places = Places::whole) {
-        places_ = places;
+    void draw(std::span<const Polygon> polygons, bool last_frame, Random& order) {
         polygons_ = polygons;
         dealt_ = 0;
         ends_dealt_ = 0;
@@ -87,7 +85,7 @@ class Group {
             if (input.size() >= options_.input_places) {
                 return false;
             }
-            input.push_back(polygon_message(options_.variant, &polygons_[dealt_++], places_));
+            input.push_back(polygon_message(&polygons_[dealt_++]));
             return true;
         }
         if (ends_dealt_ == nodes_.size()) {
@@ -97,7 +95,7 @@ class Group {
         if (input.size() >= options_.input_places) {
             return false;
         }
-        input.push_back(polygon_message(options_.variant, nullptr));
+        input.push_back(polygon_message(nullptr));
         ++ends_dealt_;
         return true;
     }
@@ -120,8 +118,7 @@ class Group {
             return false;
         } else {
             for (const auto& node : nodes_) {
-                node->inputs[1].push_back(all_ended ? polygon_message(options_.variant, nullptr)
-                                                    : outputs.front());
+                node->inputs[1].push_back(all_ended ? polygon_message(nullptr) : outputs.front());
             }
             if (all_ended) {
                 ended_.assign(nodes_.size(), false);
@@ -138,7 +135,6 @@ class Group {
     GroupOptions options_;
     std::vector<std::unique_ptr<TilerNode>> nodes_;
     std::span<const Polygon> polygons_;
-    Places places_ = Places::whole;
     std::size_t dealt_ = 0;
     std::size_t ends_dealt_ = 0;
     std::size_t turn_ = 0;
@@ -147,9 +143,8 @@ class Group {
 };
 
 void expect_reference(const Group& group, const TilerVariant& variant,
-                      const std::vector<Polygon>& polygons, int width, int height,
-                      Places places = Places::whole) {
-    const auto reference = reference_of(variant, polygons, width, height, places);
+                      const std::vector<Polygon>& polygons, int width, int height) {
+    const auto reference = reference_of(variant, polygons, width, height);
     for (const auto& node : group.nodes()) {
         ASSERT_EQ(difference(*node, reference), "")
             << name_of(variant) << ", x " << node->grid().x_start << " + " << node->grid().x_step
@@ -185,18 +180,16 @@ TEST_P(HalfDigested, PicturesAreThoseOfTheReference) {
         SCOPED_TRACE(fmt::format("scene {}", scene));
         const int frames = pick(random, 1, 2);
         for (int frame = 1; frame <= frames; ++frame) {
-            const Places places = pick(random, 0, 1) == 0 ? Places::whole : Places::cut;
-            const int unit = unit_of(GetParam(), places);
-            auto polygons = places == Places::whole
-                                ? random_scene(random, options.width, options.height, 30)
-                                : random_parts(random, options.width, options.height, 30, unit);
+            auto polygons =
+                pick(random, 0, 1) == 0
+                    ? random_scene(random, options.width, options.height, 30)
+                    : random_parts(random, options.width, options.height, 30, GetParam().full);
             if (pick(random, 0, 5) == 0) {
                 polygons.resize(polygons.size() % 3);  // fewer than processors, or none
             }
-            group.draw(polygons, frame == frames, random, places);
+            group.draw(polygons, frame == frames, random);
             if (frame == frames) {
-                expect_reference(group, GetParam(), polygons, options.width, options.height,
-                                 places);
+                expect_reference(group, GetParam(), polygons, options.width, options.height);
             }
             if (HasFatalFailure()) {
                 return;

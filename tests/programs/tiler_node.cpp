@@ -77,20 +77,16 @@ TilerNode::TilerNode(const TilerVariant& variant, const topology::PixelGrid& gri
     core_->set_program_counter(tiler_image(variant).entry);
 }
 
-int unit_of(const TilerVariant& variant, Places places) {
-    return variant.full && places == Places::cut ? kSubpixels : 1;
+void TilerNode::draw(std::span<const Polygon> polygons) {
+    draw_frames(std::vector<std::vector<Polygon>>{{polygons.begin(), polygons.end()}});
 }
 
-void TilerNode::draw(std::span<const Polygon> polygons, Places places) {
-    draw_frames(std::vector<std::vector<Polygon>>{{polygons.begin(), polygons.end()}}, places);
-}
-
-void TilerNode::draw_frames(std::span<const std::vector<Polygon>> frames, Places places) {
+void TilerNode::draw_frames(std::span<const std::vector<Polygon>> frames) {
     for (std::size_t frame = 0; frame < frames.size(); ++frame) {
         for (const Polygon& polygon : frames[frame]) {
-            inputs[0].push_back(polygon_message(variant_, &polygon, places));
+            inputs[0].push_back(polygon_message(&polygon));
         }
-        inputs[0].push_back(polygon_message(variant_, nullptr));
+        inputs[0].push_back(polygon_message(nullptr));
         run();
         if (!has_ended_frame()) {
             throw std::runtime_error("the program waits for what never comes");
@@ -290,14 +286,12 @@ void TilerNode::clear(std::uint16_t shade) {
     std::fill(image_.begin(), image_.end(), static_cast<std::int16_t>(shade));
 }
 
-TilerNode::Message polygon_message(const TilerVariant& variant, const Polygon* polygon,
-                                   Places places) {
+TilerNode::Message polygon_message(const Polygon* polygon) {
     TilerNode::Message bytes;
     if (polygon == nullptr) {
         write_end_of_frame(bytes, 0);
     } else {
-        write_polygon(bytes, polygon->vertices, 0,
-                      unit_of(variant, Places::cut) / unit_of(variant, places));
+        write_polygon(bytes, *polygon, 0);
     }
     return bytes;
 }
@@ -323,21 +317,20 @@ std::string difference(const TilerNode& node, const host::DepthPicture& referenc
 }
 
 host::DepthPicture reference_of(const TilerVariant& variant, std::span<const Polygon> polygons,
-                                int width, int height, Places places) {
+                                int width, int height) {
     host::PolygonRenderOptions options;
     options.width = width;
     options.height = height;
     options.background = kBackground;
-    options.unit = unit_of(variant, places);
     options.precision = variant.full ? host::Precision::full : host::Precision::thesis;
     return host::render_polygons(polygons, options);
 }
 
 std::string difference_of(const TilerVariant& variant, const topology::PixelGrid& grid,
-                          std::span<const Polygon> polygons, int width, int height, Places places) {
+                          std::span<const Polygon> polygons, int width, int height) {
     TilerNode node(variant, grid, width, height, kBackground);
-    node.draw(polygons, places);
-    return difference(node, reference_of(variant, polygons, width, height, places));
+    node.draw(polygons);
+    return difference(node, reference_of(variant, polygons, width, height));
 }
 
 }  // namespace rasterloom::test

@@ -34,10 +34,6 @@ std::string name_of(const TilerVariant& variant);
 
 const isa::Image& tiler_image(const TilerVariant& variant);
 
-// Of the x and y of polygons, to a pixel.
-enum class Places : std::uint8_t { whole, cut };  // pixels; what the program's messages count
-int unit_of(const TilerVariant& variant, Places places);
-
 class TilerNode final : private isa::Bus {
   public:
     using Message = std::vector<std::uint8_t>;
@@ -47,8 +43,8 @@ class TilerNode final : private isa::Bus {
 
     // Draws the polygons and ends the frame. Throws std::runtime_error when the program traps,
     // stalls for ever, writes beside its windows or does not come to an end.
-    void draw(std::span<const Polygon> polygons, Places places = Places::whole);
-    void draw_frames(std::span<const std::vector<Polygon>> frames, Places places = Places::whole);
+    void draw(std::span<const Polygon> polygons);
+    void draw_frames(std::span<const std::vector<Polygon>> frames);
 
     // The same piece by piece: messages that wait at ports 0 and 1, those sent by port 1 and how
     // many of these there is room for.
@@ -114,18 +110,16 @@ class TilerNode final : private isa::Bus {
 };
 
 // As the host sends it; the end of the frame for none.
-TilerNode::Message polygon_message(const TilerVariant& variant, const Polygon* polygon,
-                                   Places places = Places::whole);
+TilerNode::Message polygon_message(const Polygon* polygon);
 
 // Where the processor's pixels differ from the reference, in words; empty: nowhere.
 std::string difference(const TilerNode& node, const host::DepthPicture& reference);
 
 host::DepthPicture reference_of(const TilerVariant& variant, std::span<const Polygon> polygons,
-                                int width, int height, Places places = Places::whole);
+                                int width, int height);
 
 // Draws on a fresh node with that grid and compares with the reference for the whole screen.
 std::string difference_of(const TilerVariant& variant, const topology::PixelGrid& grid,
-                          std::span<const Polygon> polygons, int width, int height,
-                          Places places = Places::whole);
+                          std::span<const Polygon> polygons, int width, int height);
 
 }  // namespace rasterloom::test

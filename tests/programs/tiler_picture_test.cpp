@@ -24,18 +24,20 @@ std::string describe(const std::vector<Polygon>& polygons) {
         for (const PolygonVertex& v : polygon.vertices) {
             text += fmt::format(" ({} {} {} {})", v.x, v.y, v.z, v.shade);
         }
+        if (polygon.rows) {
+            text += fmt::format(" rows {} to {}", polygon.rows->highest, polygon.rows->lowest);
+        }
     }
     return text;
 }
 
 // The shortest scene with that difference: without the polygons that it does not need.
 std::vector<Polygon> shorten(std::vector<Polygon> polygons, const TilerVariant& variant,
-                             const topology::PixelGrid& grid, int width, int height,
-                             Places places) {
+                             const topology::PixelGrid& grid, int width, int height) {
     for (std::size_t i = 0; i < polygons.size();) {
         std::vector<Polygon> fewer = polygons;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-        if (difference_of(variant, grid, fewer, width, height, places).empty()) {
+        if (difference_of(variant, grid, fewer, width, height).empty()) {
             ++i;
         } else {
             polygons = fewer;
@@ -47,12 +49,12 @@ std::vector<Polygon> shorten(std::vector<Polygon> polygons, const TilerVariant& 
 class TilerPictures : public testing::TestWithParam<TilerVariant> {
   protected:
     void expect_reference(const topology::PixelGrid& grid, const std::vector<Polygon>& polygons,
-                          int width, int height, Places places = Places::whole) {
-        const std::string found = difference_of(GetParam(), grid, polygons, width, height, places);
+                          int width, int height) {
+        const std::string found = difference_of(GetParam(), grid, polygons, width, height);
         if (!found.empty()) {
-            const auto few = shorten(polygons, GetParam(), grid, width, height, places);
-            FAIL() << difference_of(GetParam(), grid, few, width, height, places) << "; "
-                   << describe(grid) << " of " << width << " x " << height << describe(few);
+            const auto few = shorten(polygons, GetParam(), grid, width, height);
+            FAIL() << difference_of(GetParam(), grid, few, width, height) << "; " << describe(grid)
+                   << " of " << width << " x " << height << describe(few);
         }
     }
 };
@@ -88,11 +90,11 @@ TEST_P(TilerPictures, AgreeWithTheReferenceOnPolygonsThatSplittersHaveCut) {
     for (int scene = 0; scene < scenes; ++scene) {
         const int width = pick(random, 1, 8) == 1 ? 1024 : pick(random, 1, 70);
         const int height = pick(random, 1, 8) == 1 ? 1024 : pick(random, 1, 70);
-        const auto polygons = random_parts(random, width, height, width > 70 ? 4 : 20,
-                                           unit_of(GetParam(), Places::cut));
+        const auto polygons =
+            random_parts(random, width, height, width > 70 ? 4 : 20, GetParam().full);
         const auto grid = random_grid(random, width, height);
         SCOPED_TRACE(fmt::format("scene {}", scene));
-        expect_reference(grid, polygons, width, height, Places::cut);
+        expect_reference(grid, polygons, width, height);
         if (HasFatalFailure()) {
             return;
         }

@@ -2,6 +2,7 @@
 #include "programs/tiler_polygons.hpp"
 
 #include "machine/fabric/polygon_cut.hpp"
+#include "machine/fabric/polygon_part.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -125,11 +126,7 @@ std::vector<Polygon> random_scene(Random& random, int width, int height, int mos
 namespace {
 
 // One of the parts that a tree of splitters makes of it.
-void cut_at_random(Random& random, int width, int height, int unit, Polygon& polygon) {
-    for (PolygonVertex& v : polygon.vertices) {
-        v.x = static_cast<std::int16_t>(v.x * unit);
-        v.y = static_cast<std::int16_t>(v.y * unit);
-    }
+void cut_at_random(Random& random, int width, int height, bool whole_edges, Polygon& polygon) {
     Polygon low, high;
     for (int cuts = pick(random, 0, 8); cuts > 0; --cuts) {
         const bool along_x = pick(random, 0, 1) == 0;
@@ -138,29 +135,27 @@ void cut_at_random(Random& random, int width, int height, int unit, Polygon& pol
         }
         // At a vertex' line, or a little beside: most other cuts leave it whole.
         const PolygonVertex near = polygon.vertices[random() % polygon.vertices.size()];
-        const int line = (along_x ? near.x : near.y) / unit + pick(random, -8, 8);
-        cut_polygon(polygon.vertices, along_x ? topology::CutAxis::x : topology::CutAxis::y,
-                    std::clamp(line, 1, (along_x ? width : height) - 1), low.vertices,
-                    high.vertices, unit);
-        Polygon& chosen = pick(random, 0, 1) == 0 ? low : high;
-        polygon = chosen.vertices.empty() ? (&chosen == &low ? high : low) : chosen;
-        if (polygon.vertices.empty()) {
-            polygon.vertices = {near};
+        const int line = std::clamp((along_x ? near.x : near.y) + pick(random, -8, 8), 1,
+                                    (along_x ? width : height) - 1);
+        const auto axis = along_x ? topology::CutAxis::x : topology::CutAxis::y;
+        if (whole_edges) {
+            part_polygon(polygon, axis, line, low, high);
+        } else {
+            cut_polygon(polygon.vertices, axis, line, low.vertices, high.vertices);
         }
+        const bool takes_low =
+            high.vertices.empty() || (!low.vertices.empty() && pick(random, 0, 1) == 0);
+        polygon = takes_low ? low : high;
     }
 }
 
 }  // namespace
 
-std::vector<Polygon> random_parts(Random& random, int width, int height, int most, int unit) {
-    std::vector<Polygon> polygons(static_cast<std::size_t>(pick(random, 1, most)));
+std::vector<Polygon> random_parts(Random& random, int width, int height, int most,
+                                  bool whole_edges) {
+    std::vector<Polygon> polygons = random_scene(random, width, height, most);
     for (Polygon& polygon : polygons) {
-        if (pick(random, 0, 1) == 0) {
-            polygon = random_polygon(random, (width - 1) * unit + 1, (height - 1) * unit + 1);
-        } else {
-            polygon = random_polygon(random, width, height);
-            cut_at_random(random, width, height, unit, polygon);
-        }
+        cut_at_random(random, width, height, whole_edges, polygon);
     }
     return polygons;
 }

@@ -21,9 +21,10 @@ int pick(Random& random, int low, int high);
 Polygon random_polygon(Random& random, int width, int height);
 std::vector<Polygon> random_scene(Random& random, int width, int height, int most);
 
-// Polygons as a processor behind splitters may get them, x and y in `unit`s to a pixel: cut by up
-// to 8 lines, or with vertices anywhere.
-std::vector<Polygon> random_parts(Random& random, int width, int height, int most, int unit);
+// Polygons as a processor behind splitters may get them, cut by up to 8 lines or, with whole edges,
+// parted.
+std::vector<Polygon> random_parts(Random& random, int width, int height, int most,
+                                  bool whole_edges);
 
 // Pixels of a processor: a block of the screen, an interlace or an interlace in a block, its steps
 // not only powers of 2.

@@ -7,11 +7,12 @@
 ;     byte 1   hops
 ;     word 1   number of vertices
 ;     word 2   byte offset of the right side's first record
-;     word 3   the lowest y
+;     word 3   the lowest row
+;     word 4   in full precision, the highest row: on it is a vertex, or a part begins there
 ;     records of the left side, then of the right side, each from its topmost vertex down:
 ;       x, y, z, shade of the vertex, then the slopes of x, z and shade down the edge below it, two words each (high one
-;       first, 16 bits of fraction) or, in thesis precision, one. The lowest vertex ends its side and has no slopes. In full
-;       precision, on an edge less than a line high a slope's high word is the change from the vertex to the line below it.
+;       first, 16 bits of fraction) or, in thesis precision, one. The first vertex on the lowest row or below it ends its side
+;       and has no slopes.
 
 ; The next digested polygon. On the way there, raw polygons are digested as long as one waits and the output has room: then
 ; nobody needs to wait for them. When the output is full only digested polygons are taken: one must come, since the bus will
@@ -41,10 +42,24 @@ take_raw:
         mov     #message, @#ports_base+rxaddr
         mov     vertex_count, r1
         beq     forward_end
+        .if ne full
+        bpl     digest_whole
+        neg     r1
+        mov     r1, vertex_count
+tap_digest_part:
+        .include "scan.s"
+        part_rows r3, r4
+        br      digest_rows
+        .endc
 
+digest_whole:
 tap_digest:
         .include "scan.s"
 
+digest_rows:
+        .if ne full
+        mov     r3, digest_highest
+        .endc
         mov     vertex_count, digest_vertices
         mov     r4, digest_lowest
         mov     sp, digest_top

@@ -26,9 +26,9 @@ tap_vertex_'side:
 side'_begins:
         mov     (r5), r2
         mov     r2, r0
-        twice_line r0
+        asl     r0
         mov     lag_at(r0), r0          ; 0, or 1 more than the lag
-; Here r2 is the y of a, r0 0 or 1 more than the height of its line (at or below it) above the present one.
+; Here r2 is the y of a, r0 0 or 1 more than its height above the present line.
 side'_walk:
         .if ne half_digested
         cmp     r2, message_lowest
@@ -37,18 +37,12 @@ side'_walk:
         side'_neighbour
         mov     (r4), r3
         mov     r3, r1
-        twice_line r1
+        asl     r1
         mov     row_at(r1), r1
         cmp     r1, row
         bge     side'_passes
         mov     r1, side'_row
         mov     r4, side'_next
-        .if ne full
-        bit     #subpixel_mask, r2
-        beq     side'_whole
-        jmp     side'_between
-side'_whole:
-        .endc
         dec     r0
         bmi     side'_plain
         jmp     side'_below
@@ -69,13 +63,7 @@ side'_plain:
 ; to b, one more vertex between two lines.
 side'_passes:
         cmp     r0, #1
-        .if ne full
-        bgt     tap_vertex_'side'_passed
-        bit     #subpixel_mask, r2
-        beq     side'_stands
-        .iff
         ble     side'_stands
-        .endc
 tap_vertex_'side'_passed:
         mov     r4, r5
         br      side'_distance
@@ -89,25 +77,17 @@ side'_stands:
 side'_exact:
         mov     at_shade(r5), side'_shade
         mov     at_z(r5), side'_z
-        .if ne full
-        mov     at_x(r5), r0
-        nearest_pixel r0
-        mov     r0, side'_x
-        .iff
         mov     at_x(r5), side'_x
-        .endc
         jmp     side'_set
 
-; The line is below the row of the next vertex already: the side stood at the vertex above it, a horizontal edge.
+; The line is below the row of the next vertex already: the side stood at the vertex above it, a horizontal edge; or a part begins
+; here, below the vertex.
 side'_late:
 tap_vertex_'side'_late:
         mov     side'_next, r5
 side'_distance:
         mov     (r5), r2
         mov     r2, r0
-        .if ne full
-        ash     #-5, r0
-        .endc
         mov     row, r1
         asl     r1
         sub     line_of(r1), r0
@@ -138,24 +118,6 @@ side'_lags:
         edge_value_below at_shade
         edge_value_below at_z
         edge_value_below at_x
-        .if ne full
-        jmp     side'_set
-
-; a stands between two lines.
-side'_between:
-        edge_lag
-        mov     #side'_end, sp
-        cmp     r2, #subpixels
-        bge     side'_tall
-        edge_value_short at_shade
-        edge_value_short at_z
-        edge_value_short at_x
-        jmp     side'_set
-side'_tall:
-        edge_value_between at_shade
-        edge_value_between at_z
-        edge_value_between at_x
-        .endc
 side'_set:
         .endm
 
@@ -167,7 +129,14 @@ side'_set:
         cmp     r1, right_row
         bge     1$
         mov     right_row, r1
-1$:     mov     row, r0
+1$:
+        .if ne full
+        cmp     r1, end_row             ; a part may end above
+        bge     2$
+        mov     end_row, r1
+2$:
+        .endc
+        mov     row, r0
         sub     r1, r0
         mov     r0, lines
         jmp     segment

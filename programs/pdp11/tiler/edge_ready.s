@@ -51,7 +51,9 @@
         mov     slope_of_'at(r5), r3
         mov     slope_of_'at+2(r5), r0
         split_slope r0
-        push_value_lines_below at
+        value_after lag, at(r5)
+        mov     r1, -(sp)
+        mov     r0, -(sp)
         mov     slope_of_'at(r5), r0
         mov     slope_of_'at+2(r5), r1
         scale_slope y_step, y_shift
@@ -65,25 +67,3 @@
         mov     r0, to_delta(sp)
         .endc
         .endm
-
-        .if ne full
-
-        .macro  edge_value_between at
-        mov     slope_of_'at(r5), r3
-        mov     slope_of_'at+2(r5), r0
-        split_slope r0
-        push_value_below at
-        mov     slope_of_'at(r5), r0
-        mov     slope_of_'at+2(r5), r1
-        scale_slope y_step, y_shift
-        mov     r0, to_delta(sp)
-        mov     r1, to_delta+2(sp)
-        .endm
-
-; In place of a slope stands the change on the only line that crosses the edge.
-        .macro  edge_value_short at
-        mov     slope_of_'at(r5), r0
-        push_changed at
-        .endm
-
-        .endc

@@ -18,15 +18,14 @@
         .endm
 
 ; A value of the side at a, and its delta: both pushed before sp, which is the end of the values still to be made.
-; In: the edge's height in r2. Clobbers r0, r1, r3. On an edge less than a line high a quotient may be too large for DIV; then
-; the delta is as good as any, since nobody will add it.
+; In: the edge's height in r2. Clobbers r0, r1, r3.
         .macro  edge_value at
         .if ne full
         push_start at
         .endc
         mov     at(r4), r1
         sub     at(r5), r1
-        divide  r2, r3, shift_of_'at
+        divide  r2, r3
         .if ne full
         join_slope r3, r0
         mov     r3, to_delta(sp)
@@ -44,7 +43,7 @@
         .endc
         mov     at(r4), r1
         sub     at(r5), r1
-        divide  r2, r3, shift_of_'at
+        divide  r2, r3
         .if ne full
         mov     r0, r1
         mov     r3, r0
@@ -63,11 +62,13 @@
         .macro  edge_value_below at
         mov     at(r4), r1
         sub     at(r5), r1
-        divide  steps, r3, shift_of_'at
+        divide  steps, r3
         .if ne full
         mov     r3, whole
         mov     r0, r2
-        push_value_lines_below at
+        value_after lag, at(r5)
+        mov     r1, -(sp)
+        mov     r0, -(sp)
         mov     whole, r0
         mov     r2, r1
         join_slope r0, r1
@@ -81,29 +82,3 @@
         mov     r0, to_delta(sp)
         .endc
         .endm
-
-        .if ne full
-
-; The same L below a, which is between two lines. In: the edge's height in r2.
-        .macro  edge_value_between at
-        mov     at(r4), r1
-        sub     at(r5), r1
-        divide  r2, r3, shift_of_'at
-        mov     r3, whole
-        mov     r0, steps
-        push_value_below at
-        mov     whole, r0
-        mov     steps, r1
-        join_slope r0, r1
-        scale_slope y_step, y_shift
-        mov     r0, to_delta(sp)
-        mov     r1, to_delta+2(sp)
-        .endm
-
-; The same on an edge less than a line high, without a delta.
-        .macro  edge_value_short at
-        short_change at, lag
-        push_changed at
-        .endm
-
-        .endc

@@ -34,13 +34,21 @@ value_size = 4
 value_size = 2
         .endc
 record_size = 10+<3*value_size>         ; of a digested polygon's vertex: x, y, z, shade, their slopes down its edge
-longest_message = 10+<14.*record_size>+<2*10>
+        .if ne full
+digest_header = 12
+        .iff
+digest_header = 10
+        .endc
+longest_message = digest_header+<14.*record_size>+<2*10>
 
 message:        .blkb   2               ; kind, hops
 vertex_count:   .blkw   1               ; 0: the frame ends
 vertices:                               ; x, y, z, shade each
 message_right:  .blkw   1               ; digested: from `message` to the first record of the right side
-message_lowest: .blkw   1               ; the lowest y
+message_lowest: .blkw   1               ; the lowest row
+        .if ne full
+message_highest: .blkw  1               ; the highest row
+        .endc
 message_records:                        ; of the left side
                 .blkb   longest_message-<.-message>
 ; Places of a vertex' words, from its y: pointers to vertices hold the address of y.
@@ -102,6 +110,9 @@ digest:         .byte   3, 0
 digest_vertices: .blkw  1
 digest_right:   .blkw   1
 digest_lowest:  .blkw   1
+        .if ne full
+digest_highest: .blkw   1
+        .endc
 digest_left:    .blkb   28.*record_size ; twice what a convex polygon needs; TXLEN refuses what is too long
 digest_top:     .blkw   1               ; of the right side
         .endc

@@ -6,10 +6,9 @@
 ;                   (d - I n) * 2^15 / n: a division each, since DIV takes 32 bits and gives 16. q / 2^15 with 16 bits of
 ;                   fraction is then I * 2^16 + 2 F.
 
-; In: d in r1, the condition codes of its computing; n > 0 in register n, which is not r0, r1 or whole. d is first multiplied by
-; 2^shift.
+; In: d in r1, the condition codes of its computing; n > 0 in register n, which is not r0, r1 or whole.
 ; Out: full: I in register whole, F in r0. thesis: q in r0. Clobbers r1.
-        .macro  divide n, whole, shift=0, ?nonzero, ?divided
+        .macro  divide n, whole, ?nonzero, ?divided
         .if ne skip_deltas
         bne     nonzero
         clr     r0
@@ -20,9 +19,6 @@
 nonzero:
         .endc
         sxt     r0
-        .if ne shift
-        ashc    #shift, r0
-        .endc
         div     n, r0
         .if ne full
         mov     r0, whole
@@ -34,6 +30,16 @@ nonzero:
         .endc
 divided:
         .endm
+
+        .if ne full
+
+; The value at the vertex at r5, pushed before sp with a half for rounding.
+        .macro  push_start at
+        mov     #100000, -(sp)
+        mov     at(r5), -(sp)
+        .endm
+
+        .endc
 
 ; 32-bit I * 2^16 + 2 F from I and F, in place.
         .macro  join_slope whole, fraction
