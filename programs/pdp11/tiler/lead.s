@@ -13,16 +13,17 @@
         .endm
 
 ; In: what `divide r2, r4` left. Out: full: the value at the first assigned pixel in r2:r3; thesis: in r1. r0 and r4 stay.
-        .macro  lead_value from
+        .macro  lead_value from, ?level
         .if ne full
-        mov     r4, r1
-        mul     lead, r1
         mov     r0, r2
         mul     lead, r2
         asl     r3
         rol     r2
+        mov     r4, r1
+        beq     level                   ; less than a step a pixel, as shade and the ground's depth often have
+        mul     lead, r1
         add     r1, r2
-        add     #100000, r3             ; a half, for rounding
+level:  add     #100000, r3             ; a half, for rounding
         adc     r2
         add     from, r2
         .iff
@@ -34,7 +35,43 @@
 
 lead_segment:
         dec     r4
-        beq     lead_none
+        bne     lead_some
+
+; The left end is an assigned pixel.
+        .if ne skip_deltas
+        cmp     sp, #1
+        bne     lead_slopes
+        jmp     single_pixel
+lead_slopes:
+        .endc
+        mov     right_z, r1
+        sub     left_z, r1
+        divide  r2, r4
+        lead_slope
+        mov     r0, pixel_dz
+        .if ne full
+        mov     r1, pixel_dz+2
+        .endc
+        mov     right_shade, r1
+        sub     left_shade, r1
+        divide  r2, r4
+        lead_slope
+        .if ne full
+        mov     r0, pixel_dshade
+        mov     r1, r0
+        mov     left_shade, r4
+        mov     #100000, r1
+        mov     r1, r2
+        .iff
+        mov     left_shade, r1
+        mov     pixel_dz, r4
+        .endc
+        mov     left_z, r3
+tap_pixels_lead_none:
+        jmp     draw_pixels
+
+; It is not.
+lead_some:
         mov     r4, lead
         mov     r2, steps
         mov     right_z, r1
@@ -75,38 +112,4 @@ lead_segment:
         mov     pixel_dz, r4
         .endc
 tap_pixels_lead:
-        jmp     draw_pixels
-
-; The left end is an assigned pixel.
-lead_none:
-        .if ne skip_deltas
-        cmp     sp, #1
-        bne     lead_slopes
-        jmp     single_pixel
-lead_slopes:
-        .endc
-        mov     right_z, r1
-        sub     left_z, r1
-        divide  r2, r4
-        lead_slope
-        mov     r0, pixel_dz
-        .if ne full
-        mov     r1, pixel_dz+2
-        .endc
-        mov     right_shade, r1
-        sub     left_shade, r1
-        divide  r2, r4
-        lead_slope
-        .if ne full
-        mov     r0, pixel_dshade
-        mov     r1, r0
-        mov     left_shade, r4
-        mov     #100000, r1
-        mov     r1, r2
-        .iff
-        mov     left_shade, r1
-        mov     pixel_dz, r4
-        .endc
-        mov     left_z, r3
-tap_pixels_lead_none:
         jmp     draw_pixels
