@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "machine/host/scene_stage.hpp"
 
-#include "machine/host/shuttle.hpp"
 #include "topologies/angles.hpp"
 
 #include <algorithm>
@@ -98,9 +97,9 @@ Camera camera_at(std::span<const Shot> path, std::int64_t frame, std::int64_t fr
     return camera;
 }
 
-Mesh scene_shuttle(const Mesh* model) {
+Mesh scene_shuttle(const Mesh* model, ShuttleParts parts) {
     if (model == nullptr)
-        return make_shuttle();
+        return make_shuttle(parts);
     Mesh mesh = *model;
     constexpr double kMost = std::numeric_limits<double>::max();
     glm::dvec3 least{kMost, kMost, kMost};

@@ -5,6 +5,7 @@
 
 #include "machine/host/mesh.hpp"
 #include "machine/host/polygon_setup.hpp"
+#include "machine/host/shuttle.hpp"
 
 #include <cstdint>
 #include <initializer_list>
@@ -55,9 +56,9 @@ class Stage {
     std::vector<StagePolygon> polygons_;
 };
 
-// The scenes' own shuttle, or the model in its place: as long, on the ground, its middle over the
-// origin; the model must have +z up and its front to -x. Throws std::invalid_argument, naming the
-// model, when it has no length.
-Mesh scene_shuttle(const Mesh* model);
+// These parts of the scenes' own shuttle, or all of the model in its place: as long, on the ground,
+// its middle over the origin; the model must have +z up and its front to -x. Throws
+// std::invalid_argument, naming the model, when it has no length.
+Mesh scene_shuttle(const Mesh* model, ShuttleParts parts = ShuttleParts::whole);
 
 }  // namespace rasterloom::host

@@ -47,20 +47,40 @@ Ring section(double x, double half_width, double axis) {
     return ring;
 }
 
+// The bay's cross-section, in half widths as above, open upwards.
+constexpr std::array<glm::dvec2, 6> kTrough{
+    {{0.55, -0.85}, {0.9, -0.45}, {0.9, 0.1}, {-0.9, 0.1}, {-0.9, -0.45}, {-0.55, -0.85}}};
+constexpr std::size_t kOpenEdge = 2;
+
+Ring trough(double x) {
+    Ring ring;
+    for (const auto& point : kTrough)
+        ring.emplace_back(x, kHalfWidth * point.x, kAxis + kHalfWidth * point.y);
+    return ring;
+}
+
 class Shuttle {
   public:
+    explicit Shuttle(ShuttleParts parts) : whole_(parts == ShuttleParts::whole) {}
+
     Mesh make() {
         add_nose_and_cabin();
         add_midbody();
         add_bay();
+        add_bay_walls();
         add_payload();
         add_doors();
         add_aft();
-        add_engines();
+        if (whole_) {
+            add_body_flap();
+            add_engines();
+        }
         add_pods();
-        add_wings();
+        if (whole_)
+            add_wings();
         add_fin();
-        add_gear();
+        if (whole_)
+            add_gear();
         return builder_.take();
     }
 
@@ -68,9 +88,11 @@ class Shuttle {
     void add_nose_and_cabin();
     void add_midbody();
     void add_bay();
+    void add_bay_walls();
     void add_payload();
     void add_doors();
     void add_aft();
+    void add_body_flap();
     void add_bell(const glm::dvec3& throat, double length, double throat_radius, double exit_radius,
                   int sides);
     void add_engines();
@@ -79,6 +101,7 @@ class Shuttle {
     void add_fin();
     void add_gear();
 
+    bool whole_;
     SolidBuilder builder_{"shuttle"};
     std::uint32_t white_ = builder_.surface("white");
     std::uint32_t black_ = builder_.surface("black");
@@ -129,17 +152,8 @@ void Shuttle::add_midbody() {
     }
 }
 
-// The trough, seen from inside, its rims on the sills, and the walls before and behind it.
+// The trough, seen from inside, and its rims on the sills.
 void Shuttle::add_bay() {
-    constexpr std::array<glm::dvec2, 6> kTrough{
-        {{0.55, -0.85}, {0.9, -0.45}, {0.9, 0.1}, {-0.9, 0.1}, {-0.9, -0.45}, {-0.55, -0.85}}};
-    constexpr std::size_t kOpenEdge = 2;
-    const auto trough = [&](double x) {
-        Ring ring;
-        for (const auto& point : kTrough)
-            ring.emplace_back(x, kHalfWidth * point.x, kAxis + kHalfWidth * point.y);
-        return ring;
-    };
     constexpr int kLengths = 5;
     for (int k = 0; k < kLengths; ++k) {
         const double from = kBayFront + (kBayBack - kBayFront) * k / kLengths;
@@ -159,6 +173,10 @@ void Shuttle::add_bay() {
             grey_);
         builder_.mirror_since(first);
     }
+}
+
+// Before and behind the bay, in two parts: above the sills and below them.
+void Shuttle::add_bay_walls() {
     const auto upper = [](double x) {
         const Ring whole = section(x, kHalfWidth, kAxis);
         return Ring(whole.begin() + kFirstDoorEdge, whole.begin() + kLastDoorEdge + 2);
@@ -166,7 +184,15 @@ void Shuttle::add_bay() {
     builder_.add_face(upper(kBayFront), grey_);
     builder_.add_face(trough(kBayFront), grey_);
     builder_.add_back(upper(kBayBack), grey_);
-    builder_.add_back(trough(kBayBack), grey_);
+    Ring lower = trough(kBayBack);
+    if (!whole_) {
+        // In the middle of the picture a crack would open where the parts' corners are rounded to
+        // pixels: the lower one reaches over the upper one, in the same plane and grey.
+        constexpr double kOverlap = 0.1;
+        lower[kOpenEdge].z += kOverlap;
+        lower[kOpenEdge + 1].z += kOverlap;
+    }
+    builder_.add_back(lower, grey_);
 }
 
 // A satellite: a drum on a cradle.
@@ -221,6 +247,9 @@ void Shuttle::add_aft() {
     const Ring& base = rings.back();
     builder_.add_face({base[11], base[0], base[1], base[2], base[9], base[10]}, black_);
     builder_.add_face(Ring(base.begin() + 2, base.begin() + 10), black_);
+}
+
+void Shuttle::add_body_flap() {
     builder_.add_box({14.6, -2.2, kBelly - 0.1}, {17.2, 2.2, kBelly + 0.35}, black_);
 }
 
@@ -255,7 +284,8 @@ void Shuttle::add_pods() {
                                   ring_about_x({15.4, 1.95, kAxis + 1.9}, 1.1, kSides)};
     builder_.add_loft(pod, white_);
     builder_.add_face(pod.back(), black_);
-    add_bell({15.3, 2.0, kAxis + 1.9}, 1.1, 0.3, 0.65, kNozzleSides);
+    if (whole_)
+        add_bell({15.3, 2.0, kAxis + 1.9}, 1.1, 0.3, 0.65, kNozzleSides);
     builder_.mirror_since(first);
 }
 
@@ -326,8 +356,8 @@ void Shuttle::add_gear() {
 
 }  // namespace
 
-Mesh make_shuttle() {
-    return Shuttle().make();
+Mesh make_shuttle(ShuttleParts parts) {
+    return Shuttle(parts).make();
 }
 
 }  // namespace rasterloom::host

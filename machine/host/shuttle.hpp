@@ -10,10 +10,17 @@
 
 #include "machine/host/mesh.hpp"
 
+#include <cstdint>
+
 namespace rasterloom::host {
 
+// The shuttle in orbit, for a viewer at the cabin's aft windows, is without what the bay's walls,
+// the doors, the hull and the pods always hide from there: landing gear, wings, engines and
+// nozzles, body flap. A tiler draws what is hidden like all else.
+enum class ShuttleParts : std::uint8_t { whole, seen_from_cabin };
+
 // Surfaces: white, black, grey, dark, radiator, bay, payload, glass, metal.
-Mesh make_shuttle();
+Mesh make_shuttle(ShuttleParts parts = ShuttleParts::whole);
 
 // From the nose to the tip of the fin.
 inline constexpr double kShuttleLength = 37;

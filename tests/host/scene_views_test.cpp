@@ -4,9 +4,12 @@
 #include "machine/host/polygon_renderer.hpp"
 #include "machine/host/polygon_scenes.hpp"
 #include "machine/host/polygon_shape.hpp"
+#include "machine/host/scene_stage.hpp"
+#include "machine/host/shuttle.hpp"
 #include "tests/host/meshes.hpp"
 #include "tests/host/screen_costs.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -55,7 +58,7 @@ TEST_P(Figures, ComeNearTheThesisInPolygonsAndCycles) {
     const auto costs = uniprocessor_costs(polygons);
     const double cycles = costs.cycles() / 1e6;
     EXPECT_NEAR(static_cast<double>(costs.polygons) / figure.polygons, 1, 0.25);
-    EXPECT_NEAR(cycles / figure.cycles, 1, 0.2);
+    EXPECT_NEAR(cycles / figure.cycles, 1, 0.02);
     std::printf(
         "figure %d: %lld polygons (%.0f), %.2f M cycles (%.2f); slowest of interlace4 %.2f "
         "splitter4 %.2f interlace16 %.3f splitter16 %.3f hybrid16 %.3f\n",
@@ -120,7 +123,7 @@ TEST(Scenes, AreTheSameOnEveryMachine) {
     EXPECT_EQ(digest("runway", 1), 10396515679457539617U);
     EXPECT_EQ(digest("airport", 11), 13729947286529457484U);
     EXPECT_EQ(digest("shuttle_profile", 3), 10584922372501625591U);
-    EXPECT_EQ(digest("cargo_bay", 3), 17326183895554216590U);
+    EXPECT_EQ(digest("cargo_bay", 3), 10114211196352904661U);
 }
 
 TEST(Airport, ShowsRunwaysAndShuttlesInFrontOfTheGround) {
@@ -138,9 +141,67 @@ TEST(Airport, ShowsRunwaysAndShuttlesInFrontOfTheGround) {
     }
 }
 
-TEST(CargoBay, FillsTheScreen) {
-    for (std::int64_t frame = 0; frame < 2; ++frame)
-        EXPECT_EQ(uniprocessor_costs(frame_of("cargo_bay", frame, 2)).depth[0], 0);
+TEST(CargoBay, SpreadsOverProcessorsAsPublished) {
+    struct Column {
+        topology::Tiling machine;
+        double cycles[2];  // millions: figures 24 and 25
+    };
+    constexpr std::array kColumns{
+        Column{{1, 1, 2, 2}, {2.01, 2.02}}, Column{{2, 2, 1, 1}, {1.97, 1.83}},
+        Column{{1, 1, 4, 4}, {.703, .720}}, Column{{4, 4, 1, 1}, {.658, .653}},
+        Column{{2, 2, 2, 2}, {.634, .587}}};
+    for (std::int64_t frame = 0; frame < 2; ++frame) {
+        const auto polygons = frame_of("cargo_bay", frame, 2);
+        for (const auto& column : kColumns)
+            EXPECT_NEAR(slowest(column.machine, polygons) / column.cycles[frame], 1, 0.05) << frame;
+    }
+}
+
+// Space stands above the bay, a tenth of the picture; elsewhere there is neither hole nor crack.
+// What is one pixel wide there are tips of the space between outlines.
+TEST(CargoBay, ShowsSpaceAboveItAndNowhereElse) {
+    for (std::int64_t frame = 0; frame < 9; ++frame) {
+        const auto drawn = render_polygons(frame_of("cargo_bay", frame, 9), {}).drawn;
+        const auto is_space = [&](int x, int y) {
+            return drawn[static_cast<std::size_t>(512 * y + x)] == 0;
+        };
+        int space = 0, thin = 0;
+        for (int y = 0; y < 511; ++y)
+            for (int x = 1; x < 511; ++x) {
+                if (!is_space(x, y))
+                    continue;
+                ++space;
+                EXPECT_LT(y, 140) << frame << ": column " << x;
+                const bool is_crack = y > 0 && !is_space(x, y - 1) && !is_space(x, y + 1);
+                thin += is_crack || (!is_space(x - 1, y) && !is_space(x + 1, y)) ? 1 : 0;
+            }
+        EXPECT_NEAR(space / 262144.0, 0.1, 0.03) << frame;
+        EXPECT_LE(thin, 4) << frame;
+    }
+}
+
+// Pixels along outlines may differ: there corners rounded to pixels let one face or the other win.
+TEST(CargoBay, IsWithoutWhatNobodySeesFromTheCabinOnly) {
+    const auto from_window = [](const Mesh& shuttle, double side, double height) {
+        Stage stage;
+        stage.add_mesh(shuttle, {});
+        const Camera camera{.eye = {-8.7, side, height},
+                            .target = {0.2, side / 4, height - 4.6},
+                            .field_of_view = 55,
+                            .near = 0.1};
+        return screen_polygons(stage.polygons(), camera, 512, 512);
+    };
+    for (const double side : {-1.2, -0.9, 0.0, 0.9, 1.2})
+        for (const double height : {6.7, 7.1, 7.5}) {
+            const auto whole = from_window(make_shuttle(), side, height);
+            const auto seen =
+                from_window(make_shuttle(ShuttleParts::seen_from_cabin), side, height);
+            const auto differences =
+                compare(render_polygons(whole, {}).picture, render_polygons(seen, {}).picture);
+            EXPECT_LE(differences.all.differing(), 80U) << side << ' ' << height;
+            EXPECT_GT(uniprocessor_costs(whole).pixels(),
+                      1.2 * static_cast<double>(uniprocessor_costs(seen).pixels()));
+        }
 }
 
 TEST(Scenes, TakeAnotherModelInTheShuttlesPlace) {
