@@ -51,6 +51,7 @@ Ring section(double x, double half_width, double axis) {
 constexpr std::array<glm::dvec2, 6> kTrough{
     {{0.55, -0.85}, {0.9, -0.45}, {0.9, 0.1}, {-0.9, 0.1}, {-0.9, -0.45}, {-0.55, -0.85}}};
 constexpr std::size_t kOpenEdge = 2;
+constexpr int kBayLengths = 5;
 
 Ring trough(double x) {
     Ring ring;
@@ -154,10 +155,9 @@ void Shuttle::add_midbody() {
 
 // The trough, seen from inside, and its rims on the sills.
 void Shuttle::add_bay() {
-    constexpr int kLengths = 5;
-    for (int k = 0; k < kLengths; ++k) {
-        const double from = kBayFront + (kBayBack - kBayFront) * k / kLengths;
-        const double to = kBayFront + (kBayBack - kBayFront) * (k + 1) / kLengths;
+    for (int k = 0; k < kBayLengths; ++k) {
+        const double from = kBayFront + (kBayBack - kBayFront) * k / kBayLengths;
+        const double to = kBayFront + (kBayBack - kBayFront) * (k + 1) / kBayLengths;
         const Ring a = trough(from);
         const Ring b = trough(to);
         for (std::size_t i = 0; i < a.size(); ++i) {
@@ -186,9 +186,9 @@ void Shuttle::add_bay_walls() {
     builder_.add_back(upper(kBayBack), grey_);
     Ring lower = trough(kBayBack);
     if (!whole_) {
-        // In the middle of the picture a crack would open where the parts' corners are rounded to
-        // pixels: the lower one reaches over the upper one, in the same plane and grey.
-        constexpr double kOverlap = 0.1;
+        // Seen from near by, a crack would open between the parts, whose corners differ and are
+        // rounded to pixels: the lower one reaches over the upper one, in one plane and grey.
+        constexpr double kOverlap = 0.05;
         lower[kOpenEdge].z += kOverlap;
         lower[kOpenEdge + 1].z += kOverlap;
     }
@@ -205,9 +205,10 @@ void Shuttle::add_payload() {
     builder_.add_box({1.8, -2.2, kAxis - 1.5}, {2.4, 2.2, kAxis - 0.2}, metal_);
 }
 
-// Each door is the upper skin turned outwards about its sill; radiators inside.
+// Each door is the upper skin turned outwards about its sill; radiators inside. Seen from near by,
+// it has the sill's corners along the hinge: between others, rounded to pixels, cracks would open.
 void Shuttle::add_doors() {
-    constexpr int kLengths = 3;
+    const int lengths = whole_ ? 3 : kBayLengths;
     constexpr double kOpening = 140;  // degrees
     const double c = topology::cos_degrees(kOpening);
     const double s = topology::sin_degrees(kOpening);
@@ -220,9 +221,9 @@ void Shuttle::add_doors() {
         point = hinge + glm::dvec2(c * arm.x + s * arm.y, c * arm.y - s * arm.x);
     }
     const std::size_t first = builder_.polygon_count();
-    for (int k = 0; k < kLengths; ++k) {
-        const double from = kBayFront + (kBayBack - kBayFront) * k / kLengths;
-        const double to = kBayFront + (kBayBack - kBayFront) * (k + 1) / kLengths;
+    for (int k = 0; k < lengths; ++k) {
+        const double from = kBayFront + (kBayBack - kBayFront) * k / lengths;
+        const double to = kBayFront + (kBayBack - kBayFront) * (k + 1) / lengths;
         for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
             const auto at = [&](double x, const glm::dvec2& point) {
                 return glm::dvec3(x, kHalfWidth * point.x, kAxis + kHalfWidth * point.y);

@@ -16,7 +16,8 @@ namespace rasterloom::host {
 
 // The shuttle in orbit, for a viewer at the cabin's aft windows, is without what the bay's walls,
 // the doors, the hull and the pods always hide from there: landing gear, wings, engines and
-// nozzles, body flap. A tiler draws what is hidden like all else.
+// nozzles, body flap. A tiler draws what is hidden like all else. Its doors have as many lengths as
+// the bay.
 enum class ShuttleParts : std::uint8_t { whole, seen_from_cabin };
 
 // Surfaces: white, black, grey, dark, radiator, bay, payload, glass, metal.
