@@ -181,6 +181,11 @@ bool Processor::run_private_instructions() {
     const std::int64_t end = slice_end(cycle_);
     isa::Stop stop = runs_freely() ? core_->run_with(prompt_, budget()) : core_->run(budget());
     stop.cycles -= std::exchange(spent_of_run_, 0);
+    if (foreseen_stall_ != Stall::none) {
+        spend(stop.cycles);
+        stall_ = std::exchange(foreseen_stall_, Stall::none);
+        return false;
+    }
     if (works_ahead_ && stop.reason == isa::StopReason::budget && cycle_ + stop.cycles < end) {
         spend(stop.cycles);
         part_ = std::min(2 * part_, kLargestPart);

@@ -34,6 +34,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rasterloom {
@@ -143,7 +144,9 @@ class Processor final : public Component, private isa::Bus {
 
       private:
         Processor& processor_;
+        std::pair<std::uint32_t, std::int64_t> read_at_{0, -1};  // pc, cycles_before
     };
+    void foresee_stall(const RegisterAddress& address, std::uint32_t value);
     void come_to(std::int64_t cycles_of_run);
     bool may_read_promptly(const RegisterAddress& address) const;
     bool may_write_frame_buffer_promptly(std::uint32_t address, std::uint32_t value) const;
@@ -210,12 +213,13 @@ class Processor final : public Component, private isa::Bus {
     bool interrupt_requested_ = false;  // since the core last ran
 
     Stall stall_ = Stall::none;
-    std::uint32_t stall_argument_ = 0;  // the port, or the mask written to WAITFOR
-    bool pixel_written_ = false;        // the word that stalled has gone over the frame-buffer bus
-    bool must_catch_up_ = false;        // the access was put off until the others have caught up
-    int accesses_ = 0;                  // to the I/O page, by the instruction in progress
-    std::uint32_t step_at_ = 0;         // address of that instruction
-    int steps_in_no_time_ = 0;  // such instructions, and taps, since the local time last moved
+    Stall foreseen_stall_ = Stall::none;  // why the core's run has ended
+    std::uint32_t stall_argument_ = 0;    // the port, or the mask written to WAITFOR
+    bool pixel_written_ = false;  // the word that stalled has gone over the frame-buffer bus
+    bool must_catch_up_ = false;  // the access was put off until the others have caught up
+    int accesses_ = 0;            // to the I/O page, by the instruction in progress
+    std::uint32_t step_at_ = 0;   // address of that instruction
+    int steps_in_no_time_ = 0;    // such instructions, and taps, since the local time last moved
 
     std::uint16_t phase_ = 0;
     std::uint16_t phase_read_ = 0;  // what the program read from PHASE last

@@ -3,6 +3,8 @@
 // for accesses whose outcome is known already and which cannot fail.
 #include "machine/node/processor.hpp"
 
+#include <utility>
+
 namespace rasterloom {
 
 isa::Bus::Read Processor::Prompt::read(std::uint32_t address, int bytes) {
@@ -10,6 +12,7 @@ isa::Bus::Read Processor::Prompt::read(std::uint32_t address, int bytes) {
     if (!where || bytes != 2 || !processor_.may_read_promptly(*where)) {
         return {Status::retry, 0};
     }
+    read_at_ = {pc, cycles_before};
     const auto value =
         where->port ? processor_.read_port(*where->port, static_cast<PortRegister>(where->offset))
                     : processor_.read_node(static_cast<NodeRegister>(where->offset));
@@ -20,6 +23,9 @@ isa::Bus::Status Processor::Prompt::write(std::uint32_t address, std::uint32_t v
     const auto where = decode_register(address);
     if (bytes != 2 || !(where ? processor_.may_write_promptly(*where, value)
                               : processor_.may_write_frame_buffer_promptly(address, value))) {
+        if (where && bytes == 2 && read_at_ != std::pair{pc, cycles_before}) {
+            processor_.foresee_stall(*where, value);
+        }
         return Status::retry;
     }
     processor_.come_to(cycles_before);
@@ -30,6 +36,20 @@ isa::Bus::Status Processor::Prompt::write(std::uint32_t address, std::uint32_t v
     return where->port ? processor_.write_port(*where->port,
                                                static_cast<PortRegister>(where->offset), value)
                        : processor_.write_node(static_cast<NodeRegister>(where->offset), value);
+}
+
+// An instruction whose only access will wait at the core's own time need not be tried for that.
+void Processor::foresee_stall(const RegisterAddress& address, std::uint32_t value) {
+    if (!address.port) {
+        if (static_cast<NodeRegister>(address.offset) == NodeRegister::waitfor) {
+            foreseen_stall_ = Stall::wait_for;
+            stall_argument_ = value;
+        }
+    } else if (static_cast<PortRegister>(address.offset) == PortRegister::rxaddr &&
+               ports_.receives(*address.port) && ports_.waiting(*address.port) == 0) {
+        foreseen_stall_ = Stall::receive;
+        stall_argument_ = static_cast<std::uint32_t>(*address.port);
+    }
 }
 
 // The core is in the middle of a run; the processor's time still is, or is little after, that of
