@@ -131,6 +131,8 @@ class Processor final : public Component, private isa::Bus {
     void begin_stall_before(Time time);
     bool report_guest_error(std::string what, std::uint32_t program_counter);
     void fail();
+
+    // processor_messages.cpp: for a person.
     GuestError::Details details(std::int64_t cycle, std::uint32_t program_counter,
                                 std::string what) const;
     std::string place(std::uint32_t program_counter) const;
