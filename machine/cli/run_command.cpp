@@ -11,6 +11,7 @@
 #include "machine/observe/appendix_c_files.hpp"
 #include "machine/observe/appendix_c_text.hpp"
 #include "machine/observe/output_folder.hpp"
+#include "machine/observe/path_summary.hpp"
 #include "machine/observe/statistics_files.hpp"
 #include "machine/observe/summary.hpp"
 
@@ -34,6 +35,7 @@ struct RunCommandOptions {
     ConfigOptions config;
     std::string out;
     bool compare = false;
+    bool bottlenecks = false;
     std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
     bool quiet = false;
@@ -125,6 +127,9 @@ void print_outcome(const RunCommandOptions& options, const emulation::RunOutcome
             fmt::print("\n{}\n", outcome.remarks);
         }
     }
+    if (options.bottlenecks) {
+        fmt::print("\n{}", observe::bottlenecks_text(outcome.report));
+    }
     if (outcome.appendix_c) {
         print_appendix_c(options, *outcome.appendix_c);
     }
@@ -148,6 +153,7 @@ void run(const RunCommandOptions& options, Session& session) {
         run_options.messages_csv = folder->file("messages.csv");
     }
     run_options.reference_pictures = options.compare;
+    run_options.bottlenecks = options.bottlenecks;
     run_options.appendix_c = !options.appendix_c.empty();
     run_options.appendix_c_of = asked_for(options.appendix_c);
     ProgressBar bar(!options.quiet);
@@ -197,6 +203,9 @@ void add_run_command(CLI::App& app, Session& session) {
     command->add_flag("--no-files", options->no_files, "Write no files");
     command->add_flag("--compare", options->compare,
                       "Compare each picture with the reference renderer's");
+    command->add_flag("--bottlenecks", options->bottlenecks,
+                      "Print the critical path of each frame: what made it as long as it is; also "
+                      "in statistics.json");
     command->add_flag(
         "--appendix-c{table}", options->appendix_c,
         "Statistics of every processor as in Parks' appendix C: a table, appendix-c.json and "

@@ -27,6 +27,7 @@ class Machine {
     Machine(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons);
 
     Simulation& simulation() { return simulation_; }
+    const Simulation& simulation() const { return simulation_; }
     const std::vector<Processor*>& processors() const { return processors_; }  // by node
     // By node, then port of the sender.
     const std::vector<NetworkLink>& links() const { return links_; }

@@ -6,6 +6,7 @@
 #include "machine/emulation/job.hpp"
 #include "machine/emulation/machine.hpp"
 #include "machine/emulation/observers.hpp"
+#include "machine/emulation/path_collector.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/report.hpp"
 #include "machine/emulation/slices.hpp"
@@ -185,12 +186,24 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
     }
 
+    std::optional<PathCollector> paths;
+    if (options.bottlenecks) {
+        if (machine.supervisor() == nullptr) {
+            config::refuse({"--bottlenecks", 0, 0}, {}, {}, "a bare processor has no frames",
+                           "a machine with several processors or a scene");
+        }
+        paths.emplace(machine);
+    }
+
     const auto start = WallClock::now();
     const RunResult result =
         run_in_slices(machine.simulation(), Time::zero() + description.run.max_time, [&](Time now) {
             observers.catch_up(now);
             if (collector) {
                 collector->collect();
+            }
+            if (paths) {
+                paths->collect();
             }
             if (options.progress) {
                 tell_progress(options, machine, description, now);
@@ -201,6 +214,9 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
 
     outcome.failure = failure_of(result, description, machine);
     outcome.report = gather_report(blueprint, machine, phases, result.time);
+    if (paths) {
+        outcome.report.paths = paths->finish(blueprint, outcome.report.phases);
+    }
     if (appendix_c) {
         outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);
     }

@@ -70,6 +70,7 @@ void Link::begin_transfer(Message* message) {
         throw InvariantError(now(), name(), "a message without a free place for it");
     }
     --credits_;
+    transfer_ = scheduler().handling();
     const auto bytes = static_cast<std::int64_t>(message->bytes.size());
     const Duration occupied = settings_.time_per_message + bytes * settings_.time_per_byte;
     ++statistics_.messages;
@@ -90,6 +91,8 @@ void Link::begin_transfer(Message* message) {
 void Link::return_credit() {
     ++credits_;
     sender_waits_ = false;
+    const bool transfers = now() < done_departure_;
+    const ActsFor last(*this, transfers ? transfer_ : scheduler().handling());
     send(sender_, kind_of(MessageEvent::ready), 0, std::max(now(), done_departure_));
 }
 

@@ -56,8 +56,9 @@ class Link final : public Component {
     PortIndex sender_;
     PortIndex receiver_;
     int credits_;  // free places in the receiver's input queue, as far as is known here
-    bool sender_waits_ = false;  // for the next credit
-    Time done_departure_;        // when the notice that ends the transfer leaves
+    bool sender_waits_ = false;    // for the next credit
+    Time done_departure_;          // when the notice that ends the transfer leaves
+    EventId transfer_ = kNoCause;  // what began it
     LinkStatistics statistics_;
 };
 

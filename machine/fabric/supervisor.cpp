@@ -80,6 +80,7 @@ std::string CreditError::message() const {
 
 void Supervisor::end_phase() {
     current_.ended = now();
+    current_.ended_by = scheduler().handling();
     probe_.tell([this](SupervisorListener& listener) { listener.phase_ended(current_); });
     const bool frame_over = current_.phase + 1 == settings_.phases_per_frame;
     if (frame_over) {

@@ -23,9 +23,10 @@ namespace rasterloom {
 struct PhaseRecord {
     std::int64_t number = 0;  // counted from 0 through the whole run
     int frame = 0;
-    int phase = 0;  // within its frame
-    Time began;     // the nodes saw it
-    Time ended;     // the count was zero
+    int phase = 0;                // within its frame
+    Time began;                   // the nodes saw it
+    Time ended;                   // the count was zero
+    EventId ended_by = kNoCause;  // the credit that made it so
 };
 
 // A node that runs no program gave a credit that the count does not allow: so some program gave

@@ -79,6 +79,7 @@ class Component {
         const Event event{
             make_event_key(departure + from.latency_, EventPhase::arrival, from.peer_, id_),
             sequence_++, kind, from.peer_port_, payload};
+        tell_cause(event, departure);
         if (from.mailbox_ != nullptr) {
             scheduler_->post(*from.mailbox_, event);
         } else if (from.peer_keeps_ != nullptr) {
@@ -90,8 +91,25 @@ class Component {
 
     // Calls handle() at `time`, now or later, with an event in phase work.
     void wake_at(Time time, EventKind kind, std::uint64_t payload = 0) {
-        scheduler_->push({own_key(time), sequence_++, kind, PortIndex{}, payload});
+        const Event event{own_key(time), sequence_++, kind, PortIndex{}, payload};
+        tell_cause(event, scheduler_->now());
+        scheduler_->push(event);
     }
+
+    // What is sent until the end of this object's life is caused by `cause`, not by the event being
+    // handled.
+    class ActsFor {
+      public:
+        ActsFor(Component& component, EventId cause) : component_(component) {
+            component.acts_for_ = cause;
+        }
+        ~ActsFor() { component_.acts_for_.reset(); }
+        ActsFor(const ActsFor&) = delete;
+        ActsFor& operator=(const ActsFor&) = delete;
+
+      private:
+        Component& component_;
+    };
 
     // The key of an event that the component sends to itself.
     EventKey own_key(Time time) const { return make_event_key(time, EventPhase::work, id_, id_); }
@@ -103,12 +121,18 @@ class Component {
     // On its way to this component, from another partition.
     void receive(const Event& event);
     void keep(KeptArrivals& kept, const Event& event);
+    void tell_cause(const Event& event, Time departure) const {
+        if (CauseListener* listener = scheduler_->cause_listener()) [[unlikely]] {
+            listener->sent(event, departure, acts_for_.value_or(scheduler_->handling()));
+        }
+    }
 
     std::string name_;
     std::vector<Port> ports_;
     Scheduler* scheduler_ = nullptr;
     ComponentId id_{};
     std::uint32_t sequence_ = 0;
+    std::optional<EventId> acts_for_;
 };
 
 }  // namespace rasterloom

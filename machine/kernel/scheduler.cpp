@@ -63,6 +63,7 @@ void Scheduler::begin_run(EventKey limit) {
 inline void Scheduler::handle_next() {
     const Event event = queue_.pop();
     current_ = event.key;
+    handling_ = id_of(event);
     ++events_handled_;
     (*components_)[static_cast<std::size_t>(event.target())]->handle(event);
 }

@@ -3,6 +3,7 @@
 // drives it, alone or in rounds with others (docs/threads.md).
 #pragma once
 
+#include "machine/kernel/cause.hpp"
 #include "machine/kernel/event_queue.hpp"
 #include "machine/kernel/failure.hpp"
 #include "machine/kernel/mailbox.hpp"
@@ -19,6 +20,11 @@ class Scheduler {
   public:
     // The time of the event being handled.
     Time now() const { return current_.time; }
+
+    // The event that was handed over last.
+    EventId handling() const { return handling_; }
+    // Who wants to know why events are sent; null for nobody.
+    CauseListener* cause_listener() const { return cause_listener_; }
 
     // Adds an event. Throws InvariantError unless it comes after the one being handled.
     void push(const Event& event) {
@@ -100,6 +106,8 @@ class Scheduler {
     EventQueue queue_;
     EventQueue work_;  // only the keys matter
     EventKey current_{Time::zero(), 0};
+    EventId handling_ = kNoCause;
+    CauseListener* cause_listener_ = nullptr;
     EventKey limit_ = kNoEvent;  // of this call of run()
     EventKey bound_ = kNoEvent;  // up to here others have said what they send; at most the limit
     bool stop_requested_ = false;

@@ -122,6 +122,12 @@ void Simulation::join_wires() {
     }
 }
 
+void Simulation::listen_to_causes(CauseListener& listener) {
+    for (const auto& scheduler : schedulers_) {
+        scheduler->cause_listener_ = &listener;
+    }
+}
+
 void Simulation::start_components() {
     started_ = true;
     for (const auto& component : components_) {

@@ -61,6 +61,10 @@ class Simulation {
     std::size_t partitions() const { return schedulers_.size(); }
     std::size_t partition_of(const Component& component) const;
 
+    // Has the listener told of every event that is sent from now on; after use_threads() and before
+    // run(), on whose threads it is called. It must outlive the run.
+    void listen_to_causes(CauseListener& listener);
+
     // Handles every event before `limit`, in order. Can be called again to go on: where a run is
     // cut does not change what happens. Throws WiringError before seal().
     RunResult run(Time limit = Time::never());

@@ -67,6 +67,7 @@ void Processor::proceed() {
 }
 
 void Processor::execute() {
+    const ActsFor program(*this, bound_by_);
     bool going = true;
     while (going) {
         switch (next_) {
@@ -331,6 +332,7 @@ void Processor::resume() {
     const std::int64_t cycle = settings_.clock.edge_at_or_after(now()).count();
     if (cycle > cycle_) {
         begin_stall_before(now());
+        bound_by_ = scheduler().handling();
         cycle_ = cycle;
         local_time_ = settings_.clock.edge(Cycles(cycle_));
         meter_.end_stall(was, local_time_);

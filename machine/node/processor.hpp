@@ -214,6 +214,7 @@ class Processor final : public Component, private isa::Bus {
     int enabled_interrupts_ = 0;
     bool interrupt_requested_ = false;  // since the core last ran
 
+    EventId bound_by_ = kNoCause;  // what ended the last stall
     Stall stall_ = Stall::none;
     Stall foreseen_stall_ = Stall::none;  // why the core's run has ended
     std::uint32_t stall_argument_ = 0;    // the port, or the mask written to WAITFOR

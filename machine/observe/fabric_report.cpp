@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/fabric_report.hpp"
 
+#include "machine/observe/figures.hpp"
+
 #include <algorithm>
 #include <iterator>
 
@@ -9,12 +11,6 @@
 namespace rasterloom::observe {
 
 namespace {
-
-double share(Duration part, Duration whole) {
-    return whole > Duration()
-               ? static_cast<double>(part.picoseconds()) / static_cast<double>(whole.picoseconds())
-               : 0;
-}
 
 void append(std::string& text, const FifoReport& fifo) {
     fmt::format_to(std::back_inserter(text), ",{},{:.6f},{}", fifo.peak, fifo.mean,

@@ -61,6 +61,30 @@ struct PhaseReport {
     std::optional<RoundsReport> rounds;
 };
 
+// What the critical path of a frame is made of (machine/observe/critical_path.hpp). The times of
+// each list sum up to the frame's.
+struct PathReport {
+    struct Share {
+        std::string kind;  // of component: "node", "link", "bus", ...; "wire" for latencies
+        std::string name;  // of the component; in a list of kinds the kind
+        Duration time;
+        std::int64_t steps = 0;
+    };
+    struct PhaseShare {
+        std::int64_t phase = 0;  // of the frame
+        std::string kind;
+        Duration time;
+    };
+
+    std::int64_t frame = 0;
+    Time began;
+    Time ended;
+    std::int64_t steps = 0;
+    std::vector<Share> kinds;          // largest first
+    std::vector<Share> components;     // likewise
+    std::vector<PhaseShare> by_phase;  // in the order of phases
+};
+
 struct RunReport {
     std::string machine;
     Clock clock = Clock::with_period(Duration::microseconds(
@@ -72,6 +96,7 @@ struct RunReport {
     std::vector<NodeReport> nodes;
     std::vector<LinkReport> links;            // of a graph
     std::vector<FabricPartReport> fabric;     // of a machine that deals out the screen
+    std::vector<PathReport> paths;            // one a frame, if asked for
     std::vector<std::string> phase_names;     // [phase of the frame]; may be shorter
     std::vector<std::string> activity_names;  // [activity that MARK names]; may be shorter
     // Handled by the kernel: depends on how the run was sliced, so it is in no file.

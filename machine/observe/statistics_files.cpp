@@ -162,6 +162,37 @@ Json fabric_json(const RunReport& report) {
     return json;
 }
 
+Json shares_json(const std::vector<PathReport::Share>& shares) {
+    Json json = Json::array();
+    for (const PathReport::Share& share : shares) {
+        json.push_back({{"kind", share.kind},
+                        {"name", share.name},
+                        {"time_ps", share.time.picoseconds()},
+                        {"steps", share.steps}});
+    }
+    return json;
+}
+
+Json paths_json(const RunReport& report) {
+    Json json = Json::array();
+    for (const PathReport& path : report.paths) {
+        Json phases = Json::array();
+        for (const PathReport::PhaseShare& part : path.by_phase) {
+            phases.push_back({{"phase", part.phase},
+                              {"name", report.phase_name(part.phase)},
+                              {"kind", part.kind},
+                              {"time_ps", part.time.picoseconds()}});
+        }
+        json.push_back({{"frame", path.frame},
+                        {"duration_ps", (path.ended - path.began).picoseconds()},
+                        {"steps", path.steps},
+                        {"kinds", shares_json(path.kinds)},
+                        {"phases", std::move(phases)},
+                        {"components", shares_json(path.components)}});
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string statistics_json(const RunReport& report) {
@@ -187,6 +218,9 @@ std::string statistics_json(const RunReport& report) {
                                                  static_cast<double>(report.nodes.size())},
                            {"busiest_over_mean", report.imbalance()}};
         json["fabric"] = fabric_json(report);
+    }
+    if (!report.paths.empty()) {
+        json["critical_paths"] = paths_json(report);
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

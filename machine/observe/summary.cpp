@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/summary.hpp"
 
-#include "machine/kernel/failure.hpp"
+#include "machine/observe/figures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,27 +17,7 @@ namespace {
 
 constexpr std::size_t kShown = 5;  // of the busiest
 
-double seconds(Duration duration) {
-    return static_cast<double>(duration.picoseconds()) / static_cast<double>(kPicosecondsPerSecond);
-}
-
-double share(Duration part, Duration whole) {
-    return whole > Duration() ? seconds(part) / seconds(whole) : 0;
-}
-
-// "4.20 ms": three or four figures are enough for a person.
-std::string human(Duration duration) {
-    constexpr std::array<std::pair<double, const char*>, 4> kUnits{
-        std::pair{1.0, "s"}, std::pair{1e-3, "ms"}, std::pair{1e-6, "us"}, std::pair{1e-9, "ns"}};
-    for (const auto& [size, unit] : kUnits) {
-        if (seconds(duration) >= size) {
-            return fmt::format("{:.4g} {}", seconds(duration) / size, unit);
-        }
-    }
-    return fmt::format("{} ps", duration.picoseconds());
-}
-
-std::string human(double count) {
+std::string human_count(double count) {
     constexpr std::array<std::pair<double, const char*>, 3> kSteps{
         std::pair{1e9, " billion"}, std::pair{1e6, " million"}, std::pair{1e4, " thousand"}};
     for (const auto& [size, name] : kSteps) {
@@ -168,7 +148,7 @@ void add_busiest(std::string& text, const RunReport& report) {
             fmt::format_to(out,
                            "  {:<14} busy {:>5.1f}%  {} instructions, {} messages in, {} out\n",
                            node.name, 100 * share(busy(i), whole),
-                           human(static_cast<double>(node.statistics.instructions)),
+                           human_count(static_cast<double>(node.statistics.instructions)),
                            node.messages_received, node.messages_sent);
         }
     }

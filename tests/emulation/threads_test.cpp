@@ -32,6 +32,30 @@ std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
+// The steps of a frame's critical path are as long as the frame, to the picosecond.
+void expect_whole_paths(const observe::RunReport& report) {
+    Time began = Time::zero();
+    for (std::size_t frame = 0; frame < report.paths.size(); ++frame) {
+        const observe::PathReport& path = report.paths[frame];
+        EXPECT_EQ(path.began, began);
+        EXPECT_EQ(path.ended, report.frame_ends.at(frame));
+        Duration by_kind, by_component, by_phase;
+        for (const auto& share : path.kinds) {
+            by_kind += share.time;
+        }
+        for (const auto& share : path.components) {
+            by_component += share.time;
+        }
+        for (const auto& part : path.by_phase) {
+            by_phase += part.time;
+        }
+        EXPECT_EQ(by_kind, path.ended - path.began);
+        EXPECT_EQ(by_component, path.ended - path.began);
+        EXPECT_EQ(by_phase, path.ended - path.began);
+        began = path.ended;
+    }
+}
+
 Written run(config::MachineDescription description, std::int64_t threads, bool watched = false) {
     description.run.threads = threads;
     const std::filesystem::path file =
@@ -42,7 +66,9 @@ Written run(config::MachineDescription description, std::int64_t threads, bool w
     if (watched) {
         options.progress = [](const Progress&) {};
     }
+    options.bottlenecks = description.scene.has_value();
     const RunOutcome outcome = run_machine(description, options);
+    expect_whole_paths(outcome.report);
     Written written{outcome.failure,
                     outcome.pictures,
                     observe::statistics_json(outcome.report),

@@ -20,6 +20,7 @@ inline RunReport small_run() {
                      .nodes = {},
                      .links = {},
                      .fabric = {},
+                     .paths = {},
                      .phase_names = {"rotate"},
                      .activity_names = {"", "route"},
                      .events = 17};

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Finds the critical path of each frame while the machine runs, and forgets what led to it.
+#pragma once
+
+#include "machine/emulation/blueprint.hpp"
+#include "machine/emulation/machine.hpp"
+#include "machine/observe/cause_log.hpp"
+#include "machine/observe/critical_path.hpp"
+#include "machine/observe/run_report.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rasterloom::emulation {
+
+class PathCollector final : public SupervisorListener {
+  public:
+    // Attaches itself to the machine, which has a supervisor, has been divided among threads and
+    // has not run; both must outlive each other's use.
+    explicit PathCollector(Machine& machine);
+
+    void phase_ended(const PhaseRecord& phase) override { last_ = phase; }
+    void frame_ended(int frame, Time time) override;
+    // While the machine pauses at the end of a frame.
+    void collect();
+
+    std::vector<observe::PathReport> finish(const Blueprint& blueprint,
+                                            const std::vector<observe::PhaseReport>& phases) const;
+
+  private:
+    const Machine& machine_;
+    observe::CauseLog log_;
+    PhaseRecord last_;
+    std::optional<int> due_;
+    Time began_;
+    std::vector<observe::CriticalPath> paths_;
+};
+
+}  // namespace rasterloom::emulation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The critical path of a frame: the chain of causes from its end back to its beginning. Each step
+// is time that one component took between what made it act and what it sent then, or time on a
+// wire. The steps lie end to end: together they are exactly as long as the frame. To make the frame
+// shorter, one of them has to become so.
+#pragma once
+
+#include "machine/kernel/cause.hpp"
+#include "machine/observe/cause_log.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rasterloom::observe {
+
+struct PathStep {
+    ComponentId component{};  // that took the time, or whose message was on the wire
+    bool on_wire = false;
+    Time from;
+    Time to;
+
+    Duration duration() const { return to - from; }
+};
+
+struct CriticalPath {
+    std::int64_t frame = 0;
+    Time began;
+    Time ended;
+    std::vector<PathStep> steps;  // from the beginning to the end, none of no duration
+};
+
+// From `began` to the arrival of `last`, which `log` must hold with all that led to it since then.
+CriticalPath critical_path(const CauseLog& log, EventId last, Time began);
+
+}  // namespace rasterloom::observe

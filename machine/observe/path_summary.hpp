@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What a frame's critical path is made of, summed up: by kind of component, by phase, by component.
+#pragma once
+
+#include "machine/observe/critical_path.hpp"
+#include "machine/observe/run_report.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rasterloom::observe {
+
+// Who a component is for a person: "node" and "P31-123", "link" and "P31-123 > P28-114".
+struct ComponentLabel {
+    std::string kind;
+    std::string name;
+};
+using Labels = std::function<ComponentLabel(ComponentId)>;
+
+// `phases` as the run reports them, of all frames in order.
+PathReport summarize(const CriticalPath& path, const std::vector<PhaseReport>& phases,
+                     const Labels& labels);
+
+// A page for a person; `report.paths` is not empty.
+std::string bottlenecks_text(const RunReport& report);
+
+}  // namespace rasterloom::observe
