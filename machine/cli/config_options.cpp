@@ -5,6 +5,10 @@
 #include "machine/config/locator.hpp"
 #include "machine/host/polygon_scenes.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace rasterloom::cli {
 
 void add_config_options(CLI::App& command, ConfigOptions& options) {
@@ -33,9 +37,8 @@ const char* mesh_key(const config::MachineDescription& machine) {
     return scene != nullptr && scene->takes_model ? "scene.model" : "scene.object";
 }
 
-}  // namespace
-
-config::MachineDescription load(const ConfigOptions& options, const Session& session) {
+config::MachineDescription load(const ConfigOptions& options, const Session& session,
+                                std::vector<config::Override> last) {
     std::vector<config::Override> changes;
     for (const std::string& text : options.overrides) {
         changes.push_back(config::parse_override(text));
@@ -52,7 +55,19 @@ config::MachineDescription load(const ConfigOptions& options, const Session& ses
     if (!options.mesh.empty()) {
         add(mesh_key(config::load_machine(options.file, changes, locator)), options.mesh, "--mesh");
     }
+    std::move(last.begin(), last.end(), std::back_inserter(changes));
     return config::load_machine(options.file, changes, locator);
+}
+
+}  // namespace
+
+config::MachineDescription load(const ConfigOptions& options, const Session& session) {
+    return load(options, session, std::vector<config::Override>());
+}
+
+config::MachineDescription load(const ConfigOptions& options, const Session& session,
+                                const config::Override& change) {
+    return load(options, session, std::vector{change});
 }
 
 }  // namespace rasterloom::cli

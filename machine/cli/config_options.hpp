@@ -5,6 +5,7 @@
 
 #include "machine/cli/command.hpp"
 #include "machine/config/description.hpp"
+#include "machine/config/value.hpp"
 
 #include <string>
 #include <vector>
@@ -25,5 +26,8 @@ void add_config_options(CLI::App& command, ConfigOptions& options);
 
 // Throws config::ConfigError.
 config::MachineDescription load(const ConfigOptions& options, const Session& session);
+// With one more change.
+config::MachineDescription load(const ConfigOptions& options, const Session& session,
+                                const config::Override& change);
 
 }  // namespace rasterloom::cli

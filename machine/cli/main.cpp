@@ -26,6 +26,10 @@ constexpr const char* kFooter =
     "  rasterloom run configs/geodesic482.yaml --set scene.rotate.start=180\n"
     "      (the first frame is turned by 180 degrees already)\n"
     "  rasterloom describe configs/geodesic482.yaml\n"
+    "  rasterloom run configs/geodesic482.yaml --bottlenecks\n"
+    "  rasterloom whatif configs/geodesic482.yaml --vary nodes.clock=x0.5,x2 --vary "
+    "links.latency=x10\n"
+    "      (what the frame time is made of, and what would change it)\n"
     "  rasterloom run configs/splitter16.yaml --set fabric.ideal=true --compare\n"
     "      (Parks' machine of 16 processors, as the thesis assumes it)\n"
     "\n"
@@ -46,6 +50,7 @@ void set_up(CLI::App& app, Session& session) {
     add_run_command(app, session);
     add_describe_command(app, session);
     add_assemble_command(app, session);
+    add_what_if_command(app, session);
     add_list_command(app, session);
 }
 

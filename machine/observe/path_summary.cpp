@@ -9,8 +9,6 @@ namespace rasterloom::observe {
 
 namespace {
 
-constexpr const char* kWires = "wire";
-
 std::vector<PathReport::Share> sorted(const std::map<std::string, PathReport::Share>& shares) {
     std::vector<PathReport::Share> list;
     for (const auto& [name, share] : shares) {
@@ -51,8 +49,10 @@ PathReport summarize(const CriticalPath& path, const std::vector<PhaseReport>& p
     std::map<std::string, PathReport::Share> components;
     std::map<std::pair<std::size_t, std::string>, Duration> by_phase;
     for (const PathStep& step : path.steps) {
-        const ComponentLabel label =
-            step.on_wire ? ComponentLabel{kWires, kWires} : labels(step.component);
+        ComponentLabel label = labels(step.component);
+        if (step.on_wire) {
+            label = {kWire, "from " + label.kind};
+        }
         add(kinds, label.kind, label.kind, step.duration());
         add(components, label.kind, label.name, step.duration());
         for (Time from = step.from; from < step.to && !phases.empty();) {

@@ -16,6 +16,7 @@ struct ComponentLabel {
     std::string kind;
     std::string name;
 };
+inline constexpr const char* kWire = "wire";  // the kind of a latency; its name: "from link"
 using Labels = std::function<ComponentLabel(ComponentId)>;
 
 // `phases` as the run reports them, of all frames in order.

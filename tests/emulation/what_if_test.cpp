@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Reruns with one other parameter, and what the critical path predicts of them.
+#include "machine/emulation/what_if.hpp"
+
+#include "tests/emulation/machines.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace rasterloom::emulation {
+namespace {
+
+const std::vector<std::string> kSmall{"screen={width: 64, height: 64}", "scene=scenes/random.yaml",
+                                      "scene.polygons=30", "run.frames=2"};
+
+config::MachineDescription with(const std::string& machine, const std::string& change) {
+    std::vector<std::string> changes = kSmall;
+    if (!change.empty()) {
+        changes.push_back(change);
+    }
+    return shipped(machine, changes);
+}
+
+WhatIfReport ask(const std::string& machine,
+                 const std::vector<std::pair<std::string, std::string>>& changes,
+                 std::size_t workers) {
+    std::vector<WhatIf> questions;
+    for (const auto& [key, value] : changes) {
+        questions.push_back({key, with(machine, key + "=" + value)});
+    }
+    return what_if(with(machine, ""), questions, workers, [](std::size_t) {});
+}
+
+double change_of(const WhatIfReport& report, Duration time) {
+    return static_cast<double>(time.picoseconds()) /
+           static_cast<double>(report.frame_time.picoseconds());
+}
+
+TEST(WhatIf, PredictsAClockThatNothingElseHolds) {
+    const WhatIfReport report = ask("splitter4.yaml", {{"nodes.clock", "600ns"}}, 1);
+    ASSERT_EQ(report.failure, "");
+    const WhatIfResult& result = report.results.at(0);
+    ASSERT_TRUE(result.predicted.has_value());
+    EXPECT_NEAR(change_of(report, result.frame_time), 2, 0.1);
+    EXPECT_NEAR(change_of(report, *result.predicted), change_of(report, result.frame_time), 0.02);
+}
+
+TEST(WhatIf, PredictsABusThatBecomesTheBottleneckFromTheTimeItTakesAlready) {
+    const WhatIfReport report = ask("interlace16.yaml",
+                                    {{"fabric.polygon_bus.time_per_word", "200us"},
+                                     {"fabric.polygon_bus.time_per_word", "400us"}},
+                                    1);
+    // Twice a time that makes nearly all of the frame is nearly twice the frame.
+    const Duration slow = report.results.at(0).frame_time;
+    const Duration slower = report.results.at(1).frame_time;
+    EXPECT_GT(change_of(report, slow), 1.5);
+    EXPECT_NEAR(static_cast<double>(slower.picoseconds()) / static_cast<double>(slow.picoseconds()),
+                2, 0.2);
+}
+
+TEST(WhatIf, HasNoPredictionForWhatGovernsNoTime) {
+    const WhatIfReport report = ask("interlace16.yaml", {{"fabric.processor_fifo", "1"}}, 1);
+    EXPECT_FALSE(report.results.at(0).predicted.has_value());
+    EXPECT_GE(report.results.at(0).frame_time, report.frame_time);
+}
+
+TEST(WhatIf, SaysWhichRunFailedAndGoesOn) {
+    const WhatIfReport report =
+        ask("splitter4.yaml", {{"run.max_time", "1ms"}, {"nodes.clock", "300ns"}}, 2);
+    EXPECT_NE(report.results.at(0).failure, "");
+    EXPECT_EQ(report.results.at(1).failure, "");
+    EXPECT_EQ(report.results.at(1).frame_time, report.frame_time);
+}
+
+TEST(WhatIf, GivesTheSameOnAnyNumberOfWorkers) {
+    const std::vector<std::pair<std::string, std::string>> changes{
+        {"nodes.clock", "100ns"},
+        {"fabric.latency", "9us"},
+        {"fabric.processor_fifo", "2"},
+        {"host.time_per_polygon", "1us"}};
+    const WhatIfReport one = ask("hybrid16.yaml", changes, 1);
+    const WhatIfReport several = ask("hybrid16.yaml", changes, 3);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        EXPECT_EQ(several.results[i].frame_time, one.results[i].frame_time);
+        EXPECT_EQ(several.results[i].predicted, one.results[i].predicted);
+    }
+}
+
+}  // namespace
+}  // namespace rasterloom::emulation
