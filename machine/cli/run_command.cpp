@@ -36,6 +36,7 @@ struct RunCommandOptions {
     std::string out;
     bool compare = false;
     bool bottlenecks = false;
+    std::string trace;
     std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
     bool quiet = false;
@@ -87,6 +88,7 @@ void print_comparison(const emulation::RunOutcome& outcome) {
     }
 }
 
+constexpr const char* kTraceEnding = ".perfetto-trace";
 constexpr const char* kTable = "table";  // --appendix-c without a value
 constexpr const char* kAll = "all";
 
@@ -144,6 +146,10 @@ void run(const RunCommandOptions& options, Session& session) {
         config::refuse({"--compare", 0, 0}, {}, {}, "nothing is drawn without a scene",
                        "a machine with a scene");
     }
+    if (!options.trace.empty() && !options.trace.ends_with(kTraceEnding)) {
+        config::refuse({"--trace", 0, 0}, {}, options.trace, "not a kind of trace",
+                       fmt::format("a name that ends in {}", kTraceEnding));
+    }
     std::optional<observe::OutputFolder> folder;
     std::optional<Interruption> interruption;  // ends before the folder does
     emulation::RunOptions run_options;
@@ -153,6 +159,9 @@ void run(const RunCommandOptions& options, Session& session) {
         run_options.messages_csv = folder->file("messages.csv");
     }
     run_options.reference_pictures = options.compare;
+    if (!options.trace.empty()) {
+        run_options.trace = options.trace;
+    }
     run_options.bottlenecks = options.bottlenecks;
     run_options.appendix_c = !options.appendix_c.empty();
     run_options.appendix_c_of = asked_for(options.appendix_c);
@@ -203,6 +212,11 @@ void add_run_command(CLI::App& app, Session& session) {
     command->add_flag("--no-files", options->no_files, "Write no files");
     command->add_flag("--compare", options->compare,
                       "Compare each picture with the reference renderer's");
+    command
+        ->add_option("--trace", options->trace,
+                     "Write what every processor and link did and when, for ui.perfetto.dev: "
+                     "NAME.perfetto-trace")
+        ->type_name("FILE");
     command->add_flag("--bottlenecks", options->bottlenecks,
                       "Print the critical path of each frame: what made it as long as it is; also "
                       "in statistics.json");

@@ -17,14 +17,21 @@ std::vector<ComponentId> ids(const Machine& machine) {
 
 }  // namespace
 
-Observers::Observers(Machine& machine, observe::PhaseLog& phases, NodeListener* messages)
+Observers::Observers(Machine& machine, observe::PhaseLog& phases, NodeListener* messages,
+                     observe::MachineTrace* trace)
     : merger_(machine.simulation().partitions(), ids(machine),
-              messages != nullptr ? observe::RecordMerger::Order::of_events
-                                  : observe::RecordMerger::Order::by_phase) {
+              messages != nullptr || trace != nullptr ? observe::RecordMerger::Order::of_events
+                                                      : observe::RecordMerger::Order::by_phase) {
     merger_.forward_to(static_cast<NodeListener&>(phases));
     merger_.forward_to(static_cast<SupervisorListener&>(phases));
     if (messages != nullptr) {
         merger_.forward_to(*messages);
+    }
+    if (trace != nullptr) {
+        merger_.keep_intervals();
+        traced_ = machine.processors();
+        merger_.forward_to(static_cast<NodeListener&>(*trace));
+        merger_.forward_to(static_cast<SupervisorListener&>(*trace));
     }
     const Simulation& simulation = machine.simulation();
     for (Processor* processor : machine.processors()) {
@@ -33,6 +40,13 @@ Observers::Observers(Machine& machine, observe::PhaseLog& phases, NodeListener* 
     if (Supervisor* supervisor = machine.supervisor()) {
         supervisor->probe().attach(merger_.for_supervisor(simulation.partition_of(*supervisor)));
     }
+}
+
+void Observers::catch_up(Time reached) {
+    for (Processor* processor : traced_) {
+        processor->tell_stall_before(reached);
+    }
+    merger_.flush(reached);
 }
 
 }  // namespace rasterloom::emulation

@@ -61,6 +61,23 @@ observe::LinkReport link_report(const NetworkLink& wire,
 
 }  // namespace
 
+observe::TraceNames trace_names(const Blueprint& blueprint, const Machine& machine) {
+    const config::MachineDescription& description = blueprint.description;
+    observe::TraceNames names;
+    names.machine = description.machine.empty() ? "machine" : description.machine;
+    for (const topology::Node& node : blueprint.topology.nodes) {
+        names.nodes.push_back(node.name);
+    }
+    names.activities = names_from_symbols(*blueprint.image, "mark_", kActivities);
+    names.phases = names_from_symbols(*blueprint.image, "phase_name_",
+                                      static_cast<std::uint32_t>(machine.phases_per_frame()));
+    if (!machine.links().empty()) {
+        names.link_latency = description.links.latency;
+    }
+    names.cycle = description.nodes.clock.clock().nominal_period();
+    return names;
+}
+
 observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
                                  observe::PhaseLog& phases, Time end) {
     const config::MachineDescription& description = blueprint.description;

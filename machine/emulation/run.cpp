@@ -180,7 +180,12 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         messages.emplace(*options.messages_csv);
     }
     machine.simulation().use_threads(threads_for(description, machine));
-    Observers observers(machine, phases, messages ? &*messages : nullptr);
+    std::optional<observe::MachineTrace> trace;
+    if (options.trace) {
+        trace.emplace(*options.trace, trace_names(blueprint, machine));
+    }
+    Observers observers(machine, phases, messages ? &*messages : nullptr,
+                        trace ? &*trace : nullptr);
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
@@ -214,6 +219,10 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
 
     outcome.failure = failure_of(result, description, machine);
     outcome.report = gather_report(blueprint, machine, phases, result.time);
+    if (trace && outcome.failure.empty()) {
+        observers.catch_up(Time::never());  // what nodes were at when the run ended
+        trace->close();
+    }
     if (paths) {
         outcome.report.paths = paths->finish(blueprint, outcome.report.phases);
     }

@@ -32,7 +32,9 @@ struct RunOptions {
     // Statistics as in Parks' appendix C; the run takes somewhat longer.
     bool appendix_c = false;
     std::vector<std::string> appendix_c_of;  // processors that somebody will want to see
-    bool bottlenecks = false;                // RunReport::paths; the run takes somewhat longer
+    // Where to stream a trace for Perfetto to; none: not written.
+    std::optional<std::filesystem::path> trace;
+    bool bottlenecks = false;  // RunReport::paths; the run takes somewhat longer
     // Called now and then while the machine runs; about ten times a second of wall time.
     std::function<void(const Progress&)> progress;
 };

@@ -24,7 +24,14 @@ struct Ended {
 class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
                                                        public SupervisorListener {
   public:
+    explicit Keeper(const bool& keeps_intervals) : keeps_intervals_(keeps_intervals) {}
+
     void message_consumed(const MessageRecord& record) override { messages.push_back(record); }
+    void interval_ended(const StateInterval& interval) override {
+        if (keeps_intervals_) {
+            intervals.push_back(interval);
+        }
+    }
     void phase_ended(const PhaseRecord& record) override {
         ended.push_back({record.ended, record, 0});
     }
@@ -32,16 +39,20 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
         ended.push_back({time, std::nullopt, frame});
     }
 
+    std::vector<StateInterval> intervals;
     std::vector<MessageRecord> messages;
     std::size_t told = 0;  // of them
     std::deque<Ended> ended;
+
+  private:
+    const bool& keeps_intervals_;
 };
 
 RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of,
                            Order order)
     : component_of_(std::move(component_of)), order_(order) {
     for (std::size_t partition = 0; partition < partitions; ++partition) {
-        keepers_.push_back(std::make_unique<Keeper>());
+        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_));
     }
 }
 
@@ -72,6 +83,7 @@ void RecordMerger::tell_phases(Time until) {
     for (const auto& keeper : keepers_) {
         while (!keeper->ended.empty() && keeper->ended.front().time <= until) {
             const Ended& ended = keeper->ended.front();
+            tell_intervals(ended.time);
             for (SupervisorListener* listener : supervisor_listeners_) {
                 if (ended.phase) {
                     listener->phase_ended(*ended.phase);
@@ -93,12 +105,37 @@ void RecordMerger::sort_messages() {
     }
 }
 
+// By the time at which they end, and by node. What one node tells is in order already.
+void RecordMerger::collect_intervals(Time reached) {
+    for (const auto& keeper : keepers_) {
+        const auto later = std::stable_partition(
+            keeper->intervals.begin(), keeper->intervals.end(),
+            [reached](const StateInterval& interval) { return interval.to < reached; });
+        due_.insert(due_.end(), keeper->intervals.begin(), later);
+        keeper->intervals.erase(keeper->intervals.begin(), later);
+    }
+    std::stable_sort(due_.begin(), due_.end(), [this](const auto& a, const auto& b) {
+        return a.to != b.to ? a.to < b.to : component_of_[a.node] < component_of_[b.node];
+    });
+}
+
+void RecordMerger::tell_intervals(Time before) {
+    while (!due_.empty() && due_.front().to < before) {
+        for (NodeListener* listener : node_listeners_) {
+            listener->interval_ended(due_.front());
+        }
+        due_.pop_front();
+    }
+}
+
 void RecordMerger::flush(Time reached) {
+    collect_intervals(reached);
     if (order_ == Order::of_events) {
         flush_in_order(reached);
     } else {
         flush_by_phase(reached);
     }
+    tell_intervals(reached);
 }
 
 std::vector<Time> RecordMerger::ends_of_phases(Time until) const {
@@ -154,6 +191,7 @@ void RecordMerger::flush_in_order(Time reached) {
         }
         const MessageRecord& message = first->messages[first->told++];
         tell_phases(message.consumed);
+        tell_intervals(message.consumed);
         tell(message);
     }
     tell_phases(reached);

@@ -4,9 +4,9 @@
 // real listeners from time to time. Who only counts messages by phase is told them in any order
 // between the ends of phases, which saves most of the work.
 //
-// States of nodes and taps are not kept: they come in no order among nodes, and a tap shows a core
-// as it is at that moment. Whoever wants them attaches to the nodes directly, keeps what belongs to
-// different nodes apart, and is told on the threads that run them.
+// States of nodes are kept on request, and told by the time at which they end. Taps are not, for a
+// tap shows a core as it is at that moment. Whoever wants them attaches to the nodes directly,
+// keeps what belongs to different nodes apart, and is told on the threads that run them.
 #pragma once
 
 #include "machine/fabric/supervisor.hpp"
@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,9 @@ class RecordMerger {
     RecordMerger(const RecordMerger&) = delete;
     RecordMerger& operator=(const RecordMerger&) = delete;
 
+    // Whether states of nodes are kept: before anything is told.
+    void keep_intervals() { keeps_intervals_ = true; }
+
     // To be attached to the nodes and the supervisor in this partition.
     NodeListener& for_nodes(std::size_t partition);
     SupervisorListener& for_supervisor(std::size_t partition);
@@ -46,6 +50,8 @@ class RecordMerger {
   private:
     class Keeper;
 
+    void collect_intervals(Time reached);
+    void tell_intervals(Time before);
     void flush_in_order(Time reached);
     void flush_by_phase(Time reached);
     std::vector<Time> ends_of_phases(Time until) const;
@@ -56,6 +62,8 @@ class RecordMerger {
 
     std::vector<ComponentId> component_of_;
     Order order_;
+    bool keeps_intervals_ = false;
+    std::deque<StateInterval> due_;  // to be told, in order; none between two flushes
     std::vector<std::unique_ptr<Keeper>> keepers_;  // [partition]
     std::vector<NodeListener*> node_listeners_;
     std::vector<SupervisorListener*> supervisor_listeners_;

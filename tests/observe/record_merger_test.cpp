@@ -36,6 +36,9 @@ class Scribe final : public NodeListener, public SupervisorListener {
     void message_consumed(const MessageRecord& record) override {
         told.push_back("message " + std::to_string(record.id));
     }
+    void interval_ended(const StateInterval& interval) override {
+        told.push_back("interval of " + std::to_string(interval.node));
+    }
     void phase_ended(const PhaseRecord& record) override {
         told.push_back("phase " + std::to_string(record.number));
     }
@@ -68,6 +71,43 @@ TEST(RecordMerger, TellsOfEachMessageInItsPhaseWhenNobodyWantsMore) {
     m.merger.flush(at(60));
     EXPECT_EQ(m.scribe.told.back(), "message 4");
     EXPECT_EQ(m.scribe.told.size(), 5U);
+}
+
+StateInterval interval(NodeIndex node, std::int64_t to_ns) {
+    StateInterval record;
+    record.node = node;
+    record.to = at(to_ns);
+    return record;
+}
+
+TEST(RecordMerger, TellsOfIntervalsByTheirEndsWhereverItIsFlushed) {
+    std::vector<std::vector<std::string>> told;
+    for (const std::vector<std::int64_t>& flushes :
+         {std::vector<std::int64_t>{100}, {10, 20, 30, 100}, {5, 25, 100}, {20, 100}}) {
+        Merging m;
+        m.merger.keep_intervals();
+        m.merger.for_nodes(0).interval_ended(interval(0, 20));
+        m.merger.for_nodes(1).interval_ended(interval(1, 10));
+        m.merger.for_nodes(1).interval_ended(interval(1, 20));
+        m.merger.for_nodes(1).message_consumed(message(1, 7, 20));
+        m.merger.for_supervisor(2).phase_ended(phase(3, 20));
+        m.merger.for_nodes(0).interval_ended(interval(0, 30));
+        for (const std::int64_t flush : flushes) {
+            m.merger.flush(at(flush));
+        }
+        told.push_back(m.scribe.told);
+    }
+    EXPECT_EQ(told[0].size(), 6U);
+    EXPECT_EQ(told[1], told[0]);
+    EXPECT_EQ(told[2], told[0]);
+    EXPECT_EQ(told[3], told[0]);
+}
+
+TEST(RecordMerger, DoesNotKeepIntervalsUnasked) {
+    Merging m;
+    m.merger.for_nodes(0).interval_ended(interval(0, 20));
+    m.merger.flush(at(100));
+    EXPECT_THAT(m.scribe.told, testing::IsEmpty());
 }
 
 TEST(RecordMerger, TellsInTheOrderInWhichOnePartitionWouldHave) {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Writes a file that Perfetto's viewer (ui.perfetto.dev) opens: tracks, slices, instants and arrows
+// between them. It is a protobuf message whose field 1 repeats TracePacket; field numbers are those
+// of Perfetto's trace_packet.proto.
+//
+// The file is streamed under a temporary name and gets its own when it is complete.
+#pragma once
+
+#include "machine/kernel/time.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rasterloom::observe {
+
+class PerfettoFile {
+  public:
+    using Track = std::uint64_t;  // 0: none
+    using Flow = std::uint64_t;   // events with the same one are joined by arrows, in order of time
+
+    // `scale`: viewer's nanoseconds for a nanosecond of the machine's time, at least 1.
+    // Throws OutputError when the file cannot be made.
+    PerfettoFile(std::filesystem::path path, std::int64_t scale);
+    ~PerfettoFile();
+    PerfettoFile(const PerfettoFile&) = delete;
+    PerfettoFile& operator=(const PerfettoFile&) = delete;
+
+    // Tracks below one parent are shown in the order in which they were added.
+    Track add_track(std::string_view name, Track parent);
+    // Slices of one track must not overlap; nothing is written for one that is no time long.
+    void slice(Track track, std::string_view name, Time from, Time to,
+               const std::vector<Flow>& flows);
+    void instant(Track track, std::string_view name, Time at, const std::vector<Flow>& flows,
+                 bool flows_end);
+
+    std::int64_t events() const { return events_; }
+    // Throws OutputError when not everything could be written.
+    void close();
+
+  private:
+    struct Closer {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+
+    std::uint64_t interned(std::string_view name);
+    std::uint64_t nanoseconds(Time time) const;
+    void event(Track track, std::uint64_t type, std::string_view name, Time time,
+               const std::vector<Flow>& flows, bool flows_end);
+    void add_packet(const std::string& packet);
+    void flush();
+
+    std::filesystem::path path_;
+    std::filesystem::path partial_;
+    std::unique_ptr<std::FILE, Closer> file_;
+    std::int64_t scale_;
+    std::string buffer_;
+    std::map<std::string, std::uint64_t, std::less<>> names_;
+    std::map<Track, std::int32_t> children_;  // so far, by parent
+    Track last_track_ = 0;
+    std::int64_t events_ = 0;
+    bool failed_ = false;
+};
+
+}  // namespace rasterloom::observe
