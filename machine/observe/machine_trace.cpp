@@ -57,12 +57,17 @@ MachineTrace::MachineTrace(const std::filesystem::path& path, TraceNames names)
     }
 }
 
-std::string MachineTrace::name_of(const StateInterval& interval) const {
-    if (interval.state == NodeState::busy && interval.activity < names_.activities.size() &&
-        !names_.activities[interval.activity].empty()) {
-        return names_.activities[interval.activity];
+PerfettoFile::Name MachineTrace::name_of(const StateInterval& interval) {
+    const int key = static_cast<int>(interval.state) * kActivities + interval.activity;
+    PerfettoFile::Name& name = state_names_[key];
+    if (name == 0) {
+        const bool named = interval.state == NodeState::busy &&
+                           interval.activity < names_.activities.size() &&
+                           !names_.activities[interval.activity].empty();
+        name = file_.name(named ? names_.activities[interval.activity]
+                                : observe::name_of(interval.state));
     }
-    return observe::name_of(interval.state);
+    return name;
 }
 
 void MachineTrace::interval_ended(const StateInterval& interval) {
@@ -71,7 +76,7 @@ void MachineTrace::interval_ended(const StateInterval& interval) {
 
 // A link gets its track with its first message.
 PerfettoFile::Track MachineTrace::link_track(const MessageRecord& message) {
-    PerfettoFile::Track& track = link_tracks_[{message.source, message.port}];
+    PerfettoFile::Track& track = link_tracks_[std::uint64_t{message.source} << 8U | message.port];
     if (track == 0) {
         track = file_.add_track(
             fmt::format("{} > {}", names_.nodes[message.source], names_.nodes[message.destination]),
@@ -80,23 +85,37 @@ PerfettoFile::Track MachineTrace::link_track(const MessageRecord& message) {
     return track;
 }
 
-void MachineTrace::message_consumed(const MessageRecord& message) {
-    const std::string what = fmt::format("kind {}, {} bytes", message.kind, message.bytes);
-    // The same polygon reaches many processors: its name and the receiver's make an arrow.
-    const PerfettoFile::Flow flow =
-        message.id * 0x9e3779b97f4a7c15U + (std::uint64_t{message.destination} << 1U) + 1;
-    if (names_.link_latency) {
-        file_.instant(nodes_[message.source],
-                      fmt::format("send {} to {}", what, names_.nodes[message.destination]),
-                      message.queued, {flow}, false);
-        file_.slice(link_track(message), what, message.started,
-                    message.delivered - *names_.link_latency, {flow});
-        file_.instant(nodes_[message.destination],
-                      fmt::format("take {} from {}", what, names_.nodes[message.source]),
-                      message.consumed, {flow}, true);
-    } else {
-        file_.instant(nodes_[message.destination], "take " + what, message.consumed, {}, false);
+// The one at the other end is named where there are links; a polygon comes from the host.
+PerfettoFile::Name MachineTrace::name_of(Part part, const MessageRecord& message) {
+    const bool whose = part != Part::carried && names_.link_latency.has_value();
+    const NodeIndex other = part == Part::sent ? message.destination : message.source;
+    const std::uint64_t key = (whose ? std::uint64_t{other} : 0) << 32U |
+                              std::uint64_t{message.bytes} << 16U |
+                              std::uint64_t{message.kind} << 8U | static_cast<std::uint64_t>(part);
+    PerfettoFile::Name& name = message_names_[key];
+    if (name == 0) {
+        const char* verb = part == Part::sent ? "send " : part == Part::taken ? "take " : "";
+        const std::string end =
+            whose ? (part == Part::sent ? " to " : " from ") + names_.nodes[other] : "";
+        name = file_.name(
+            fmt::format("{}kind {}, {} bytes{}", verb, message.kind, message.bytes, end));
     }
+    return name;
+}
+
+void MachineTrace::message_consumed(const MessageRecord& message) {
+    if (!names_.link_latency) {
+        file_.instant(nodes_[message.destination], name_of(Part::taken, message), message.consumed,
+                      {}, false);
+        return;
+    }
+    const std::vector<PerfettoFile::Flow> arrow{message.id + 1};
+    file_.instant(nodes_[message.source], name_of(Part::sent, message), message.queued, arrow,
+                  false);
+    file_.slice(link_track(message), name_of(Part::carried, message), message.started,
+                message.delivered - *names_.link_latency, arrow);
+    file_.instant(nodes_[message.destination], name_of(Part::taken, message), message.consumed,
+                  arrow, true);
 }
 
 void MachineTrace::phase_ended(const PhaseRecord& phase) {
@@ -104,8 +123,8 @@ void MachineTrace::phase_ended(const PhaseRecord& phase) {
     const std::string name = number < names_.phases.size() && !names_.phases[number].empty()
                                  ? names_.phases[number]
                                  : fmt::format("phase {}", phase.phase);
-    file_.slice(phases_, fmt::format("frame {}: {}", phase.frame, name), phase.began, phase.ended,
-                {});
+    file_.slice(phases_, file_.name(fmt::format("frame {}: {}", phase.frame, name)), phase.began,
+                phase.ended, {});
 }
 
 }  // namespace rasterloom::observe

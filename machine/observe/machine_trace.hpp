@@ -8,11 +8,11 @@
 #include "machine/node/node_listener.hpp"
 #include "machine/observe/perfetto_file.hpp"
 
+#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace rasterloom::observe {
@@ -42,15 +42,22 @@ class MachineTrace final : public NodeListener, public SupervisorListener {
     void close() { file_.close(); }
 
   private:
+    // What is written about a message: by the program that sends it, on the link, by the one that
+    // takes it.
+    enum class Part : std::uint8_t { sent, carried, taken };
+
     PerfettoFile::Track link_track(const MessageRecord& message);
-    std::string name_of(const StateInterval& interval) const;
+    PerfettoFile::Name name_of(Part part, const MessageRecord& message);
+    PerfettoFile::Name name_of(const StateInterval& interval);
 
     TraceNames names_;
     PerfettoFile file_;
     PerfettoFile::Track phases_ = 0;
     PerfettoFile::Track links_ = 0;
     std::vector<PerfettoFile::Track> nodes_;
-    std::map<std::pair<NodeIndex, int>, PerfettoFile::Track> link_tracks_;  // source, port
+    std::unordered_map<std::uint64_t, PerfettoFile::Track> link_tracks_;   // by source and port
+    std::unordered_map<std::uint64_t, PerfettoFile::Name> message_names_;  // by what they say
+    std::unordered_map<int, PerfettoFile::Name> state_names_;              // by state and activity
 };
 
 }  // namespace rasterloom::observe

@@ -92,7 +92,7 @@ PerfettoFile::Track PerfettoFile::add_track(std::string_view name, Track parent)
     return track;
 }
 
-std::uint64_t PerfettoFile::interned(std::string_view name) {
+PerfettoFile::Name PerfettoFile::name(std::string_view name) {
     const auto known = names_.find(name);
     if (known != names_.end()) {
         return known->second;
@@ -119,39 +119,39 @@ std::uint64_t PerfettoFile::nanoseconds(Time time) const {
                                       time.picoseconds() % 1000 * scale_ / 1000);
 }
 
-void PerfettoFile::event(Track track, std::uint64_t type, std::string_view name, Time time,
+void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time,
                          const std::vector<Flow>& flows, bool flows_end) {
-    std::string fields;
-    pbf_writer event(fields);
+    fields_.clear();
+    pbf_writer event(fields_);
     event.add_uint64(track_event::type, type);
-    if (!name.empty()) {
-        event.add_uint64(track_event::name_iid, interned(name));
+    if (name != 0) {
+        event.add_uint64(track_event::name_iid, name);
     }
     event.add_uint64(track_event::track_uuid, track);
     for (const Flow flow : flows) {
         event.add_fixed64(flows_end ? track_event::terminating_flow_ids : track_event::flow_ids,
                           flow);
     }
-    std::string text;
-    pbf_writer writer(text);
+    packet_.clear();
+    pbf_writer writer(packet_);
     writer.add_uint64(packet::timestamp, nanoseconds(time));
     writer.add_uint32(packet::sequence_id, kSequence);
     writer.add_uint32(packet::sequence_flags, packet::needs_state);
-    writer.add_message(packet::track_event, fields);
-    add_packet(text);
+    writer.add_message(packet::track_event, fields_);
+    add_packet(packet_);
     ++events_;
 }
 
-void PerfettoFile::slice(Track track, std::string_view name, Time from, Time to,
+void PerfettoFile::slice(Track track, Name name, Time from, Time to,
                          const std::vector<Flow>& flows) {
     if (from < to) {
         event(track, track_event::slice_begin, name, from, flows, false);
-        event(track, track_event::slice_end, {}, to, {}, false);
+        event(track, track_event::slice_end, 0, to, {}, false);
     }
 }
 
-void PerfettoFile::instant(Track track, std::string_view name, Time at,
-                           const std::vector<Flow>& flows, bool flows_end) {
+void PerfettoFile::instant(Track track, Name name, Time at, const std::vector<Flow>& flows,
+                           bool flows_end) {
     event(track, track_event::instant, name, at, flows, flows_end);
 }
 

@@ -22,7 +22,8 @@ namespace rasterloom::observe {
 class PerfettoFile {
   public:
     using Track = std::uint64_t;  // 0: none
-    using Flow = std::uint64_t;   // events with the same one are joined by arrows, in order of time
+    using Name = std::uint64_t;
+    using Flow = std::uint64_t;  // events with the same one are joined by arrows, in order of time
 
     // `scale`: viewer's nanoseconds for a nanosecond of the machine's time, at least 1.
     // Throws OutputError when the file cannot be made.
@@ -31,13 +32,13 @@ class PerfettoFile {
     PerfettoFile(const PerfettoFile&) = delete;
     PerfettoFile& operator=(const PerfettoFile&) = delete;
 
+    // A name for slices and instants; asking for the same one again gives the same.
+    Name name(std::string_view text);
     // Tracks below one parent are shown in the order in which they were added.
     Track add_track(std::string_view name, Track parent);
     // Slices of one track must not overlap; nothing is written for one that is no time long.
-    void slice(Track track, std::string_view name, Time from, Time to,
-               const std::vector<Flow>& flows);
-    void instant(Track track, std::string_view name, Time at, const std::vector<Flow>& flows,
-                 bool flows_end);
+    void slice(Track track, Name name, Time from, Time to, const std::vector<Flow>& flows);
+    void instant(Track track, Name name, Time at, const std::vector<Flow>& flows, bool flows_end);
 
     std::int64_t events() const { return events_; }
     // Throws OutputError when not everything could be written.
@@ -48,9 +49,8 @@ class PerfettoFile {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
 
-    std::uint64_t interned(std::string_view name);
     std::uint64_t nanoseconds(Time time) const;
-    void event(Track track, std::uint64_t type, std::string_view name, Time time,
+    void event(Track track, std::uint64_t type, Name name, Time time,
                const std::vector<Flow>& flows, bool flows_end);
     void add_packet(const std::string& packet);
     void flush();
@@ -60,6 +60,8 @@ class PerfettoFile {
     std::unique_ptr<std::FILE, Closer> file_;
     std::int64_t scale_;
     std::string buffer_;
+    std::string fields_;  // of the event being written
+    std::string packet_;  // that holds it
     std::map<std::string, std::uint64_t, std::less<>> names_;
     std::map<Track, std::int32_t> children_;  // so far, by parent
     Track last_track_ = 0;
