@@ -8,7 +8,7 @@ namespace rasterloom::emulation {
 
 namespace {
 
-constexpr std::size_t kProcessorsPerThread = 128;
+constexpr std::size_t kProcessorsPerThread = 1'000;
 
 }  // namespace
 
