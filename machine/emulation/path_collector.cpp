@@ -35,6 +35,35 @@ PathCollector::PathCollector(Machine& machine)
     : machine_(machine), log_(machine.simulation().components().size()) {
     machine.simulation().listen_to_causes(log_);
     machine.supervisor()->probe().attach(*this);
+    intervals_.resize(machine.processors().size());
+    for (std::size_t node = 0; node < intervals_.size(); ++node) {
+        Processor& processor = *machine.processors()[node];
+        processor.probe().attach(*this);
+        node_of_[static_cast<std::uint32_t>(processor.id())] = node;
+    }
+}
+
+void PathCollector::count_activities(const observe::CriticalPath& path) {
+    for (const Processor* processor : machine_.processors()) {
+        if (const auto interval = processor->busy_interval()) {
+            intervals_[processor->node()].push_back(*interval);
+        }
+    }
+    std::array<Duration, kActivities> sum{};
+    for (const observe::PathStep& step : path.steps) {
+        const auto node = node_of_.find(static_cast<std::uint32_t>(step.component));
+        if (!step.on_wire && node != node_of_.end()) {
+            const auto times = observe::activities_within(step, intervals_[node->second]);
+            for (std::size_t activity = 0; activity < sum.size(); ++activity) {
+                sum[activity] += times[activity];
+            }
+        }
+    }
+    activities_.push_back(sum);
+    // What is still in progress will be told again, as a whole.
+    for (std::vector<StateInterval>& intervals : intervals_) {
+        intervals.clear();
+    }
 }
 
 void PathCollector::frame_ended(int frame, Time) {
@@ -45,6 +74,7 @@ void PathCollector::collect() {
     if (const auto frame = std::exchange(due_, std::nullopt)) {
         paths_.push_back(observe::critical_path(log_, last_.ended_by, began_));
         paths_.back().frame = *frame;
+        count_activities(paths_.back());
         began_ = last_.ended;
         log_.forget_before(began_);
     }
@@ -55,7 +85,8 @@ std::vector<observe::PathReport> PathCollector::finish(
     const auto links = link_names(blueprint, machine_);
     const auto& components = machine_.simulation().components();
     std::vector<observe::PathReport> reports;
-    for (const observe::CriticalPath& path : paths_) {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+        const observe::CriticalPath& path = paths_[i];
         reports.push_back(observe::summarize(path, phases, [&](ComponentId id) {
             observe::ComponentLabel label =
                 label_by_path(components[static_cast<std::size_t>(id)]->name());
@@ -65,6 +96,12 @@ std::vector<observe::PathReport> PathCollector::finish(
             }
             return label;
         }));
+        for (int activity = 0; activity < kActivities; ++activity) {
+            const Duration time = activities_[i][static_cast<std::size_t>(activity)];
+            if (time > Duration()) {
+                reports.back().activities.push_back({activity, time});
+            }
+        }
     }
     return reports;
 }

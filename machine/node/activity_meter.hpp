@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace rasterloom {
 
@@ -44,6 +45,12 @@ class ActivityMeter {
     // Ends what is in progress at `time`, when the run is over.
     void close(NodeState kind_of_stall, Time time, Executed executed);
 
+    // Of the interval in progress what has passed of it by `time`; empty unless it is a busy one.
+    std::optional<StateInterval> busy_until(Time time) const {
+        return mode_ == Mode::busy ? std::optional(StateInterval{node_, NodeState::busy, activity_,
+                                                                 interval_from_, time})
+                                   : std::nullopt;
+    }
     const NodeStatistics& statistics() const { return statistics_; }
     Probe<NodeListener>& probe() { return probe_; }
     const Probe<NodeListener>& probe() const { return probe_; }

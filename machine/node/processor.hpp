@@ -81,9 +81,11 @@ class Processor final : public Component, private isa::Bus {
     std::uint16_t phase() const { return phase_; }
     const NodeStatistics& statistics() const { return meter_.statistics(); }
     Probe<NodeListener>& probe() { return meter_.probe(); }
-    // Tells listeners of a stall that has begun before `time`, up to which the machine has come: else
-    // they hear of it when it is over.
+    // Tells listeners of a stall that has begun before `time`, up to which the machine has come:
+    // else they hear of it when it is over.
     void tell_stall_before(Time time) { begin_stall_before(time); }
+    // What listeners will be told of when it is over; empty unless the processor is busy.
+    std::optional<StateInterval> busy_interval() const { return meter_.busy_until(local_time_); }
     // Ends the interval in progress at `end`, for the books; to be called once, after the last run.
     void close_books(Time end);
 

@@ -57,6 +57,20 @@ void add_phases(std::string& text, const RunReport& report, const PathReport& pa
     }
 }
 
+// Where the programs name what they are at.
+void add_activities(std::string& text, const RunReport& report, const PathReport& path) {
+    if (path.activities.size() < 2) {
+        return;
+    }
+    const Duration whole = path.ended - path.began;
+    text += "\n  The programs were at\n";
+    for (const PathReport::ActivityShare& part : path.activities) {
+        fmt::format_to(std::back_inserter(text), "  {:<14}{:>12}{:>7.1f}%\n",
+                       report.activity_name(part.activity), human(part.time),
+                       100 * share(part.time, whole));
+    }
+}
+
 void add_components(std::string& text, const PathReport& path) {
     const Duration whole = path.ended - path.began;
     text += "\n  Longest on it\n";
@@ -77,6 +91,7 @@ std::string bottlenecks_text(const RunReport& report) {
                        report.units(path.ended - path.began));
         add_kinds(text, path);
         add_phases(text, report, path);
+        add_activities(text, report, path);
         add_components(text, path);
     }
     return text;

@@ -36,6 +36,21 @@ class Walk {
 
 }  // namespace
 
+std::array<Duration, kActivities> activities_within(const PathStep& step,
+                                                    const std::vector<StateInterval>& intervals) {
+    std::array<Duration, kActivities> times{};
+    auto interval =
+        std::partition_point(intervals.begin(), intervals.end(),
+                             [&](const StateInterval& earlier) { return earlier.to <= step.from; });
+    for (; interval != intervals.end() && interval->from < step.to; ++interval) {
+        if (interval->state == NodeState::busy) {
+            times[interval->activity] +=
+                std::min(interval->to, step.to) - std::max(interval->from, step.from);
+        }
+    }
+    return times;
+}
+
 CriticalPath critical_path(const CauseLog& log, EventId last, Time began) {
     std::optional<SentEvent> event = log.find(last);
     if (!event) {

@@ -6,8 +6,10 @@
 #pragma once
 
 #include "machine/kernel/cause.hpp"
+#include "machine/node/node_listener.hpp"
 #include "machine/observe/cause_log.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +30,11 @@ struct CriticalPath {
     Time ended;
     std::vector<PathStep> steps;  // from the beginning to the end, none of no duration
 };
+
+// How long each activity (as MARK names them) lasted within the step of one node, whose intervals
+// are given in order.
+std::array<Duration, kActivities> activities_within(const PathStep& step,
+                                                    const std::vector<StateInterval>& intervals);
 
 // From `began` to the arrival of `last`, which `log` must hold with all that led to it since then.
 CriticalPath critical_path(const CauseLog& log, EventId last, Time began);

@@ -70,6 +70,10 @@ struct PathReport {
         Duration time;
         std::int64_t steps = 0;
     };
+    struct ActivityShare {
+        int activity = 0;  // that MARK named
+        Duration time;
+    };
     struct PhaseShare {
         std::int64_t phase = 0;  // of the frame
         std::string kind;
@@ -83,6 +87,9 @@ struct PathReport {
     std::vector<Share> kinds;          // largest first
     std::vector<Share> components;     // likewise
     std::vector<PhaseShare> by_phase;  // in the order of phases
+    // What the programs were at while processors executed on the path; what is missing to the
+    // nodes' time is spent on the way to the next edge of a clock.
+    std::vector<ActivityShare> activities;  // in the order of activities
 };
 
 struct RunReport {

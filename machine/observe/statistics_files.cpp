@@ -183,11 +183,18 @@ Json paths_json(const RunReport& report) {
                               {"kind", part.kind},
                               {"time_ps", part.time.picoseconds()}});
         }
+        Json activities = Json::array();
+        for (const PathReport::ActivityShare& part : path.activities) {
+            activities.push_back({{"activity", part.activity},
+                                  {"name", report.activity_name(part.activity)},
+                                  {"time_ps", part.time.picoseconds()}});
+        }
         json.push_back({{"frame", path.frame},
                         {"duration_ps", (path.ended - path.began).picoseconds()},
                         {"steps", path.steps},
                         {"kinds", shares_json(path.kinds)},
                         {"phases", std::move(phases)},
+                        {"activities", std::move(activities)},
                         {"components", shares_json(path.components)}});
     }
     return json;

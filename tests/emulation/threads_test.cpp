@@ -49,6 +49,16 @@ void expect_whole_paths(const observe::RunReport& report) {
         for (const auto& part : path.by_phase) {
             by_phase += part.time;
         }
+        // What programs were at, but for the way to the next edge of a clock now and then.
+        Duration by_activity, by_nodes;
+        for (const auto& part : path.activities) {
+            by_activity += part.time;
+        }
+        for (const auto& share : path.kinds) {
+            by_nodes += share.kind == "node" ? share.time : Duration();
+        }
+        EXPECT_LE(by_activity, by_nodes);
+        EXPECT_GE(by_activity + (path.steps + 1) * report.clock.nominal_period(), by_nodes);
         EXPECT_EQ(by_kind, path.ended - path.began);
         EXPECT_EQ(by_component, path.ended - path.began);
         EXPECT_EQ(by_phase, path.ended - path.began);
