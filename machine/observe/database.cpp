@@ -24,6 +24,8 @@ std::string reason(sqlite3* connection, int code) {
             return "cannot be opened";
         case SQLITE_FULL:
             return "cannot be written: no room on the disk";
+        case SQLITE_IOERR:
+            return "cannot be read or written: the file system refuses (no room, or a limit?)";
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
             return "is in use by another program";
