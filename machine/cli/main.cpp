@@ -28,6 +28,8 @@ constexpr const char* kFooter =
     "  rasterloom describe configs/geodesic482.yaml\n"
     "  rasterloom run configs/splitter16.yaml --set fabric.ideal=true --compare\n"
     "      (Parks' machine of 16 processors, as the thesis assumes it)\n"
+    "  rasterloom sweep configs/sweeps/fifos.yaml\n"
+    "      (many runs: results.sqlite and results.csv; docs/sweep.md)\n"
     "\n"
     "Exit status: 0 success; 1 a defect of the emulator; 2 wrong usage, configuration or input;\n"
     "3 the emulated machine failed (guest error, deadlock, time limit).\n"
@@ -44,6 +46,7 @@ void set_up(CLI::App& app, Session& session) {
         ->check(CLI::ExistingDirectory)
         ->type_name("DIR");
     add_run_command(app, session);
+    add_sweep_command(app, session);
     add_describe_command(app, session);
     add_assemble_command(app, session);
     add_list_command(app, session);
