@@ -5,6 +5,7 @@
 #include "machine/config/error.hpp"
 #include "machine/config/sweep.hpp"
 #include "machine/emulation/process_workers.hpp"
+#include "machine/emulation/rank_workers.hpp"
 #include "machine/emulation/sweep.hpp"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ constexpr std::size_t kMostWorkers = 1024;
 struct SweepCommandOptions {
     std::string file;
     std::string out;
-    std::size_t workers = 0;  // 0: as many as cores
+    std::size_t workers = 0;  // 0: as many as cores, with --mpi one a rank
+    bool mpi = false;
     bool fresh = false;
     bool retry_failed = false;
     bool quiet = false;
@@ -43,7 +45,8 @@ std::filesystem::path output_folder(const SweepCommandOptions& options,
 std::size_t worker_count(const SweepCommandOptions& options,
                          const config::SweepDescription& sweep) {
     const std::size_t cores = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-    return std::min(options.workers != 0 ? options.workers : cores, sweep.size());
+    const std::size_t usual = options.mpi ? 1 : cores;
+    return std::min(options.workers != 0 ? options.workers : usual, sweep.size());
 }
 
 void print_outcome(const emulation::SweepProgress& outcome, const std::filesystem::path& folder) {
@@ -57,12 +60,8 @@ void print_outcome(const emulation::SweepProgress& outcome, const std::filesyste
     fmt::print("results.sqlite and results.csv in {}\n", folder.string());
 }
 
-void run(const SweepCommandOptions& options, const Session& session) {
-    const config::Locator locator = config::make_locator(session.data);
-    const config::SweepDescription sweep = config::load_sweep(options.file, locator);
-    // Before anything is opened: they are copies of this process.
-    emulation::ProcessWorkers workers(worker_count(options, sweep),
-                                      emulation::sweep_task(sweep, locator));
+void run_with(emulation::PointWorkers& workers, const SweepCommandOptions& options,
+              const config::SweepDescription& sweep, const config::Locator& locator) {
     emulation::SweepOptions sweep_options;
     sweep_options.folder = output_folder(options, sweep);
     sweep_options.fresh = options.fresh;
@@ -78,6 +77,36 @@ void run(const SweepCommandOptions& options, const Session& session) {
     bar.clear();
     if (!options.quiet) {
         print_outcome(outcome, sweep_options.folder);
+    }
+}
+
+void run(const SweepCommandOptions& options, const Session& session) {
+    if (options.mpi && !emulation::has_mpi()) {
+        config::refuse({"--mpi", 0, 0}, {}, {}, "not in this build",
+                       "one that was configured where OpenMPI is, with RASTERLOOM_MPI=ON");
+    }
+    const config::Locator locator = config::make_locator(session.data);
+    const config::SweepDescription sweep = config::load_sweep(options.file, locator);
+    // Before anything is opened and before ranks meet: they are copies of this process.
+    emulation::ProcessWorkers workers(worker_count(options, sweep),
+                                      emulation::sweep_task(sweep, locator));
+    if (!options.mpi) {
+        run_with(workers, options, sweep, locator);
+        return;
+    }
+    emulation::run_on_ranks(
+        workers, [&](emulation::PointWorkers& all) { run_with(all, options, sweep, locator); });
+}
+
+// All ranks find the same fault of the input; one says it.
+void run_as_a_rank(const SweepCommandOptions& options, Session& session) {
+    try {
+        run(options, session);
+    } catch (const config::ConfigError&) {
+        if (!options.mpi || emulation::is_first_rank()) {
+            throw;
+        }
+        session.status = ExitStatus::bad_input;
     }
 }
 
@@ -103,10 +132,14 @@ void add_sweep_command(CLI::App& app, Session& session) {
                      "Run so many points side by side; default: as many as the host has cores")
         ->check(CLI::Range(std::size_t{1}, kMostWorkers))
         ->type_name("N");
+    command->add_flag(
+        "--mpi", options->mpi,
+        "This is a rank of an MPI job (mpirun, srun): all ranks run points, --workers "
+        "each (default: 1), and the first writes the files");
     command->add_flag("--fresh", options->fresh, "Forget the results that are there");
     command->add_flag("--retry-failed", options->retry_failed, "Run failed points once more");
     command->add_flag("--quiet", options->quiet, "No summary, no progress bar");
-    command->callback([options, &session] { run(*options, session); });
+    command->callback([options, &session] { run_as_a_rank(*options, session); });
 }
 
 }  // namespace rasterloom::cli
