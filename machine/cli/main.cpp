@@ -46,8 +46,8 @@ void set_up(CLI::App& app, Session& session) {
         ->check(CLI::ExistingDirectory)
         ->type_name("DIR");
     add_run_command(app, session);
-    add_sweep_command(app, session);
     add_describe_command(app, session);
+    add_sweep_command(app, session);
     add_assemble_command(app, session);
     add_list_command(app, session);
 }
