@@ -38,10 +38,12 @@ class SweepRun {
           locator_(locator),
           workers_(workers),
           options_(options),
+          csv_(options.folder / "results.csv"),
           lock_(options.folder),
           table_(options.folder / "results.sqlite", names_of(sweep.parameters),
                  options.fresh ? SweepTable::Start::anew : SweepTable::Start::go_on) {
         progress_.points = sweep.size();
+        observe::remove_unfinished(csv_);
     }
 
     SweepProgress run() {
@@ -56,7 +58,7 @@ class SweepRun {
             progress_.done += rows.size();
             tell();
         }
-        observe::write_file_whole(options_.folder / "results.csv", table_.csv());
+        observe::write_file_whole(csv_, table_.csv());
         return progress_;
     }
 
@@ -122,6 +124,7 @@ class SweepRun {
     const config::Locator& locator_;
     PointWorkers& workers_;
     const SweepOptions& options_;
+    std::filesystem::path csv_;
     observe::FolderLock lock_;
     SweepTable table_;
     std::deque<std::size_t> missing_;
