@@ -32,6 +32,8 @@ constexpr const char* kFooter =
     "      (what the frame time is made of, and what would change it)\n"
     "  rasterloom run configs/splitter16.yaml --set fabric.ideal=true --compare\n"
     "      (Parks' machine of 16 processors, as the thesis assumes it)\n"
+    "  rasterloom sweep configs/sweeps/fifos.yaml\n"
+    "      (many runs: results.sqlite and results.csv; docs/sweep.md)\n"
     "\n"
     "Exit status: 0 success; 1 a defect of the emulator; 2 wrong usage, configuration or input;\n"
     "3 the emulated machine failed (guest error, deadlock, time limit).\n"
@@ -49,6 +51,7 @@ void set_up(CLI::App& app, Session& session) {
         ->type_name("DIR");
     add_run_command(app, session);
     add_describe_command(app, session);
+    add_sweep_command(app, session);
     add_assemble_command(app, session);
     add_what_if_command(app, session);
     add_list_command(app, session);

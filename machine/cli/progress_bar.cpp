@@ -13,20 +13,37 @@ namespace rasterloom::cli {
 
 ProgressBar::ProgressBar(bool wanted) : visible_(wanted && ::isatty(STDERR_FILENO) == 1) {}
 
-void ProgressBar::show(const emulation::Progress& progress) {
+void ProgressBar::draw(std::int64_t done, std::int64_t steps, const std::string& text) {
     if (!visible_) {
         return;
     }
     constexpr std::int64_t kWidth = 30;
-    const std::int64_t steps = progress.frames * progress.phases;
-    const std::int64_t done = progress.frame * progress.phases + progress.phase;
     const auto filled = static_cast<std::size_t>(kWidth * done / steps);
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-    fmt::print(stderr, "\r[{}] frame {}/{}, phase {}/{}, machine time {}\x1b[K", bar,
-               progress.frame + 1, progress.frames, progress.phase + 1, progress.phases,
-               to_string(progress.now));
+    fmt::print(stderr, "\r[{}] {}\x1b[K", bar, text);
     std::fflush(stderr);
     drawn_ = true;
+}
+
+void ProgressBar::show(const emulation::Progress& progress) {
+    draw(
+        progress.frame * progress.phases + progress.phase, progress.frames * progress.phases,
+        fmt::format("frame {}/{}, phase {}/{}, machine time {}", progress.frame + 1,
+                    progress.frames, progress.phase + 1, progress.phases, to_string(progress.now)));
+}
+
+void ProgressBar::show(const emulation::SweepProgress& progress) {
+    std::string text = fmt::format("{} of {} points", progress.done, progress.points);
+    if (progress.failed > 0) {
+        text += fmt::format(", {} failed", progress.failed);
+    }
+    if (const auto left = static_cast<std::int64_t>(progress.seconds_left()); left > 0) {
+        constexpr std::int64_t kHour = 3600;
+        text += left >= kHour ? fmt::format(", {} h {} min left", left / kHour, left % kHour / 60)
+                              : fmt::format(", {}:{:02} min left", left / 60, left % 60);
+    }
+    draw(static_cast<std::int64_t>(progress.done), static_cast<std::int64_t>(progress.points),
+         text);
 }
 
 void ProgressBar::clear() {

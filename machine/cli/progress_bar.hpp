@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A line on the terminal that shows how far the run is; nothing when standard error is no terminal.
+// A line on the terminal that shows how far a run or a sweep is; nothing when standard error is no
+// terminal.
 #pragma once
 
 #include "machine/emulation/run.hpp"
+#include "machine/emulation/sweep.hpp"
+
+#include <cstdint>
+#include <string>
 
 namespace rasterloom::cli {
 
@@ -15,9 +20,12 @@ class ProgressBar {
 
     bool visible() const { return visible_; }
     void show(const emulation::Progress& progress);
+    void show(const emulation::SweepProgress& progress);
     void clear();
 
   private:
+    void draw(std::int64_t done, std::int64_t steps, const std::string& text);
+
     bool visible_;
     bool drawn_ = false;
 };

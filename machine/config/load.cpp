@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,24 @@ class Reader {
                 read_section(entry.value, path);
             } else {
                 refuse_key(entry, prefix, path);
+            }
+        }
+    }
+
+    // Whether some machine can have a value there.
+    void check_path(const std::vector<std::string>& path, const Position& where) const {
+        std::string at;
+        for (const std::string& name : path) {
+            const std::string above = std::exchange(at, at.empty() ? name : at + "." + name);
+            if (const Field* field = find(above); field != nullptr) {
+                if (!field->expected.starts_with("a mapping")) {
+                    refuse(where, at, {}, fmt::format("'{}' is not inside a mapping", name),
+                           field->expected);
+                }
+                return;  // what it may hold depends on the machine
+            }
+            if (find(at) == nullptr && names_under(at).empty()) {
+                refuse_key({name, where, {}}, above, at);
             }
         }
     }
@@ -182,6 +201,26 @@ MachineDescription load_machine(const std::string& file, std::span<const Overrid
     const auto found = locator.find(file, ".", locator.configs());
     const std::string path = found && !std::filesystem::exists(file) ? found->string() : file;
     return read_tree(parse_yaml_file(path), path, overrides, locator);
+}
+
+void check_key(const std::vector<std::string>& path, const Position& where) {
+    MachineDescription ignored;
+    const Locator nowhere{std::filesystem::path()};
+    Reader(nowhere, ignored).check_path(path, where);
+}
+
+void check_override(const Override& change, const Locator& locator) {
+    Value root;
+    root.kind = Value::Kind::mapping;
+    if (change.path.front() == "topology" && change.path.size() > 1) {
+        // A topology without a kind is refused whatever else it has.
+        Override kind = make_override("topology.kind", "any", {});
+        apply_override(root, kind);
+    }
+    apply_override(root, change);
+    include_scene(root, locator);
+    MachineDescription ignored;
+    Reader(locator, ignored).read_section(root, {});
 }
 
 MachineDescription read_machine(std::string_view text, const std::string& source,

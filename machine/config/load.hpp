@@ -23,4 +23,10 @@ MachineDescription load_machine(const std::string& file, std::span<const Overrid
 MachineDescription read_machine(std::string_view text, const std::string& source,
                                 std::span<const Override> overrides, const Locator& locator);
 
+// Of what is wrong with an override, finds what is wrong with it for any machine: a key that does
+// not exist, a value that the key cannot take. Names below topology, nodes.cost and nodes.symbols
+// depend on the machine and pass.
+void check_key(const std::vector<std::string>& path, const Position& where);
+void check_override(const Override& change, const Locator& locator);
+
 }  // namespace rasterloom::config

@@ -118,19 +118,6 @@ class TreeBuilder final : public YAML::EventHandler {
     Value root_;
 };
 
-std::vector<std::string> split_path(std::string_view text) {
-    std::vector<std::string> parts;
-    std::size_t begin = 0;
-    while (true) {
-        const std::size_t dot = text.find('.', begin);
-        parts.emplace_back(text.substr(begin, dot == std::string_view::npos ? dot : dot - begin));
-        if (dot == std::string_view::npos) {
-            return parts;
-        }
-        begin = dot + 1;
-    }
-}
-
 // Overrides have no lines: their whole tree bears the override's name.
 void place_at(Value& value, const Position& where) {
     value.where = where;
@@ -204,6 +191,19 @@ Value parse_yaml_file(const std::filesystem::path& path) {
     return parse_yaml(text, path.string());
 }
 
+std::vector<std::string> split_path(std::string_view text, const Position& where) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    for (std::size_t dot = 0; dot != std::string_view::npos; begin = dot + 1) {
+        dot = text.find('.', begin);
+        parts.emplace_back(text.substr(begin, dot == std::string_view::npos ? dot : dot - begin));
+        if (parts.back().empty()) {
+            refuse(where, {}, {}, "an empty name in the key", "names joined by dots");
+        }
+    }
+    return parts;
+}
+
 Override parse_override(std::string_view text) {
     const std::size_t equals = text.find('=');
     const std::string_view key = text.substr(0, equals);
@@ -212,11 +212,7 @@ Override parse_override(std::string_view text) {
         refuse(where, {}, {}, "an override without a value",
                "key=value, such as links.time_per_byte=2us");
     }
-    Override change{split_path(key), {}};
-    if (std::any_of(change.path.begin(), change.path.end(),
-                    [](const std::string& part) { return part.empty(); })) {
-        refuse(where, {}, {}, "an empty name in the key", "names joined by dots");
-    }
+    Override change{split_path(key, where), {}};
     const std::string_view written = text.substr(equals + 1);
     if (written.empty()) {
         refuse(where, {}, {}, "an override without a value", "key=value");
@@ -227,9 +223,10 @@ Override parse_override(std::string_view text) {
 }
 
 Override make_override(std::string_view path, std::string_view text, const std::string& option) {
-    Override change{split_path(path), {}};
+    const Position where{option, 0, 0};
+    Override change{split_path(path, where), {}};
     change.value.kind = Value::Kind::scalar;
-    change.value.where = {option, 0, 0};
+    change.value.where = where;
     change.value.text = text;
     return change;
 }

@@ -46,6 +46,8 @@ struct Override {
     std::vector<std::string> path;
     Value value;
 };
+// "a.b" in its parts. Throws when one of them is empty.
+std::vector<std::string> split_path(std::string_view text, const Position& where);
 Override parse_override(std::string_view text);
 // A scalar given by an option of its own, such as --frames 3; `option` names it in messages.
 Override make_override(std::string_view path, std::string_view text, const std::string& option);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,6 +33,36 @@ std::string yaml_scalar(std::string_view text) {
         }
     }
     return quoted + "\"";
+}
+
+std::string yaml_text(const Value& value) {
+    // With a dash: in this use no reader can take it for a list's.
+    const auto is_plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+               std::string_view("_/.+-").find(c) != std::string_view::npos;
+    };
+    std::vector<std::string> parts;
+    switch (value.kind) {
+        case Value::Kind::null:
+            return "null";
+        case Value::Kind::scalar:
+            return value.text.find('-') != std::string::npos &&
+                           std::all_of(value.text.begin(), value.text.end(), is_plain)
+                       ? value.text
+                       : yaml_scalar(value.text);
+        case Value::Kind::sequence:
+            for (const Value& item : value.items) {
+                parts.push_back(yaml_text(item));
+            }
+            return fmt::format("[{}]", fmt::join(parts, ", "));
+        case Value::Kind::mapping:
+            for (const Entry& entry : value.entries) {
+                parts.push_back(
+                    fmt::format("{}: {}", yaml_scalar(entry.key), yaml_text(entry.value)));
+            }
+            return fmt::format("{{{}}}", fmt::join(parts, ", "));
+    }
+    return {};
 }
 
 }  // namespace rasterloom::config

@@ -15,8 +15,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Before the number of the process that writes.
+std::string partial_name(const fs::path& path) {
+    return fmt::format(".{}.partial-", path.filename().string());
+}
+
 fs::path beside(const fs::path& path) {
-    return path.parent_path() / fmt::format(".{}.partial-{}", path.filename().string(), ::getpid());
+    return path.parent_path() / fmt::format("{}{}", partial_name(path), ::getpid());
 }
 
 }  // namespace
@@ -90,6 +95,19 @@ void write_file_whole(const fs::path& path, std::string_view content) {
         std::error_code ignored;
         fs::remove(partial, ignored);
         throw OutputError(fmt::format("{}: cannot be written", path.string()));
+    }
+}
+
+void remove_unfinished(const fs::path& path) {
+    std::error_code ignored;
+    std::vector<fs::path> unfinished;
+    for (const auto& entry : fs::directory_iterator(fs::absolute(path).parent_path(), ignored)) {
+        if (entry.path().filename().string().starts_with(partial_name(path))) {
+            unfinished.push_back(entry.path());
+        }
+    }
+    for (const fs::path& file : unfinished) {
+        fs::remove(file, ignored);
     }
 }
 

@@ -52,4 +52,8 @@ class OutputFolder {
 // Writes a whole file under a temporary name and renames it. Throws OutputError.
 void write_file_whole(const std::filesystem::path& path, std::string_view content);
 
+// Removes the temporary files of writers of `path` that were killed. For who knows that nobody is
+// writing it.
+void remove_unfinished(const std::filesystem::path& path);
+
 }  // namespace rasterloom::observe

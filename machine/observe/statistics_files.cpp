@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/statistics_files.hpp"
 
+#include "machine/observe/csv_text.hpp"
+
 #include <array>
 #include <iterator>
 #include <string_view>
@@ -19,22 +21,6 @@ constexpr std::array<std::string_view, kNodeStates> kStateNames{
 
 std::string key(std::string_view name, std::string_view unit) {
     return fmt::format("{}_{}", name, unit);
-}
-
-// Names come from the user's files.
-std::string csv_text(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) {
-        return text;
-    }
-    std::string quoted(1, '"');
-    for (const char c : text) {
-        quoted += c;
-        if (c == '"') {
-            quoted += c;
-        }
-    }
-    quoted += '"';
-    return quoted;
 }
 
 Duration halted(const RunReport& report, const NodeReport& node) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every configuration that the project ships.
 #include "machine/config/export.hpp"
+#include "machine/config/sweep.hpp"
 #include "tests/config/machine_text.hpp"
 
 #include <filesystem>
@@ -41,6 +42,21 @@ TEST(ShippedConfigurations, OpenWithTheQuestionTheyAnswer) {
         std::getline(stream, line);
         EXPECT_TRUE(line.starts_with("# ") && line.find('?') != std::string::npos)
             << file << ": " << line;
+    }
+}
+
+TEST(ShippedSweeps, OpenWithTheQuestionTheyAnswerAndLoadAtEveryPoint) {
+    const auto files = files_in(RASTERLOOM_SOURCE_DIR "/configs/sweeps");
+    EXPECT_GE(files.size(), 1U);
+    for (const auto& file : files) {
+        std::ifstream stream(file);
+        std::string line;
+        std::getline(stream, line);
+        EXPECT_TRUE(line.starts_with("# ") && line.find('?') != std::string::npos) << file;
+        const SweepDescription sweep = load_sweep(file.string(), source_tree());
+        for (std::size_t i = 0; i < sweep.size(); ++i) {
+            EXPECT_NO_THROW(load_point(sweep.point(i), source_tree())) << file << ": " << i;
+        }
     }
 }
 

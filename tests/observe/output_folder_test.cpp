@@ -76,5 +76,16 @@ TEST_F(OutputFolderTest, WritesSingleFilesWholeOrNotAtAll) {
     EXPECT_EQ(entries(), 1U);
 }
 
+TEST_F(OutputFolderTest, RemovesWhatAKilledWriterOfTheFileHasLeft) {
+    write(root_ / ".x.bin.partial-123", "half");
+    write(root_ / ".y.bin.partial-123", "somebody else's");
+    write(root_ / "x.bin", "whole");
+    remove_unfinished(root_ / "x.bin");
+    EXPECT_FALSE(fs::exists(root_ / ".x.bin.partial-123"));
+    EXPECT_EQ(read(root_ / "x.bin"), "whole");
+    EXPECT_EQ(entries(), 2U);
+    EXPECT_NO_THROW(remove_unfinished(root_ / "none" / "x.bin"));
+}
+
 }  // namespace
 }  // namespace rasterloom::observe
