@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -80,34 +81,45 @@ void run_with(emulation::PointWorkers& workers, const SweepCommandOptions& optio
     }
 }
 
-void run(const SweepCommandOptions& options, const Session& session) {
-    if (options.mpi && !emulation::has_mpi()) {
+// What every process of a sweep makes before anything is opened and before ranks meet: the workers
+// are copies of it.
+struct Preparation {
+    Preparation(const SweepCommandOptions& options, const config::Locator& locator)
+        : sweep(config::load_sweep(options.file, locator)),
+          workers(worker_count(options, sweep), emulation::sweep_task(sweep, locator)) {}
+
+    config::SweepDescription sweep;
+    emulation::ProcessWorkers workers;
+};
+
+void run_as_a_rank(const SweepCommandOptions& options, const config::Locator& locator) {
+    if (!emulation::has_mpi()) {
         config::refuse({"--mpi", 0, 0}, {}, {}, "not in this build",
                        "one that was configured where OpenMPI is, with RASTERLOOM_MPI=ON");
     }
-    const config::Locator locator = config::make_locator(session.data);
-    const config::SweepDescription sweep = config::load_sweep(options.file, locator);
-    // Before anything is opened and before ranks meet: they are copies of this process.
-    emulation::ProcessWorkers workers(worker_count(options, sweep),
-                                      emulation::sweep_task(sweep, locator));
-    if (!options.mpi) {
-        run_with(workers, options, sweep, locator);
-        return;
+    std::optional<Preparation> prepared;
+    std::optional<config::ConfigError> fault;
+    try {
+        prepared.emplace(options, locator);
+    } catch (const config::ConfigError& error) {
+        fault = error;  // most likely every rank's: one is to say it
     }
-    emulation::run_on_ranks(
-        workers, [&](emulation::PointWorkers& all) { run_with(all, options, sweep, locator); });
+    const bool is_to_say_it = emulation::run_on_ranks(
+        prepared ? &prepared->workers : nullptr,
+        [&](emulation::PointWorkers& all) { run_with(all, options, prepared->sweep, locator); });
+    if (is_to_say_it && fault) {
+        throw config::ConfigError(*fault);
+    }
 }
 
-// All ranks find the same fault of the input; one says it.
-void run_as_a_rank(const SweepCommandOptions& options, Session& session) {
-    try {
-        run(options, session);
-    } catch (const config::ConfigError&) {
-        if (!options.mpi || emulation::is_first_rank()) {
-            throw;
-        }
-        session.status = ExitStatus::bad_input;
+void run(const SweepCommandOptions& options, const Session& session) {
+    const config::Locator locator = config::make_locator(session.data);
+    if (options.mpi) {
+        run_as_a_rank(options, locator);
+        return;
     }
+    Preparation prepared(options, locator);
+    run_with(prepared.workers, options, prepared.sweep, locator);
 }
 
 }  // namespace
@@ -139,7 +151,7 @@ void add_sweep_command(CLI::App& app, Session& session) {
     command->add_flag("--fresh", options->fresh, "Forget the results that are there");
     command->add_flag("--retry-failed", options->retry_failed, "Run failed points once more");
     command->add_flag("--quiet", options->quiet, "No summary, no progress bar");
-    command->callback([options, &session] { run_as_a_rank(*options, session); });
+    command->callback([options, &session] { run(*options, session); });
 }
 
 }  // namespace rasterloom::cli

@@ -5,15 +5,12 @@
 #include "machine/emulation/rank_workers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -195,31 +192,29 @@ bool has_mpi() {
     return true;
 }
 
-bool is_first_rank() {
-    constexpr std::array kRankNames{"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK",
-                                    "SLURM_PROCID"};
-    for (const char* name : kRankNames) {
-        if (const char* rank = std::getenv(name)) {
-            return std::string_view(rank) == "0";
-        }
-    }
-    return true;
-}
-
-void run_on_ranks(PointWorkers& own, const std::function<void(PointWorkers& all)>& work) {
+bool run_on_ranks(PointWorkers* own, const std::function<void(PointWorkers& all)>& work) {
     const Job job;
+    // The first rank that cannot; all ranks learn it before one of them ends, since the first to
+    // end with an error takes the others with it.
+    const int mine = own == nullptr ? job.rank() : job.ranks();
+    int unable = mine;
+    MPI_Allreduce(&mine, &unable, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+    if (unable < job.ranks()) {
+        return unable == job.rank();
+    }
     if (job.rank() != kFirst) {
         try {
-            lend(own);
+            lend(*own);
         } catch (const std::exception& error) {
             // The first rank would wait for it for ever.
             fmt::print(stderr, "rasterloom: rank {}: {}\n", job.rank(), error.what());
             MPI_Abort(MPI_COMM_WORLD, 1);
         }
-        return;
+        return false;
     }
-    RankWorkers all(own, job.ranks());
+    RankWorkers all(*own, job.ranks());
     work(all);
+    return false;
 }
 
 }  // namespace rasterloom::emulation

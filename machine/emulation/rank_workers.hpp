@@ -11,13 +11,10 @@ namespace rasterloom::emulation {
 
 bool has_mpi();  // whether this build does
 
-// Whether this process is the one rank of its job that speaks, by what mpirun and Slurm tell the
-// process: known before the ranks have met.
-bool is_first_rank();
-
 // To be called by every rank of the job. The first one does `work` with the workers of all ranks;
-// the others lend theirs, `own`, and return when it has ended, by an exception or not. Without
-// has_mpi() the process is alone.
-void run_on_ranks(PointWorkers& own, const std::function<void(PointWorkers& all)>& work);
+// the others lend theirs, `own`, and return when it has ended, by an exception or not. A rank that
+// cannot take part calls it without workers: then nobody works, and of those ranks one gets true
+// and is to say why. Without has_mpi() the process is alone.
+bool run_on_ranks(PointWorkers* own, const std::function<void(PointWorkers& all)>& work);
 
 }  // namespace rasterloom::emulation

@@ -8,12 +8,12 @@ bool has_mpi() {
     return false;
 }
 
-bool is_first_rank() {
-    return true;
-}
-
-void run_on_ranks(PointWorkers& own, const std::function<void(PointWorkers& all)>& work) {
-    work(own);
+bool run_on_ranks(PointWorkers* own, const std::function<void(PointWorkers& all)>& work) {
+    if (own == nullptr) {
+        return true;
+    }
+    work(*own);
+    return false;
 }
 
 }  // namespace rasterloom::emulation
