@@ -2,10 +2,10 @@
 // Finds the critical path of each frame while the machine runs, and forgets what led to it.
 #pragma once
 
-#include "machine/emulation/blueprint.hpp"
 #include "machine/emulation/machine.hpp"
 #include "machine/observe/cause_log.hpp"
 #include "machine/observe/critical_path.hpp"
+#include "machine/observe/machine_names.hpp"
 #include "machine/observe/run_report.hpp"
 
 #include <array>
@@ -32,7 +32,7 @@ class PathCollector final : public SupervisorListener, public NodeListener {
     // While the machine pauses at the end of a frame.
     void collect();
 
-    std::vector<observe::PathReport> finish(const Blueprint& blueprint,
+    std::vector<observe::PathReport> finish(const observe::MachineNames& names,
                                             const std::vector<observe::PhaseReport>& phases) const;
 
   private:

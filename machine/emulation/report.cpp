@@ -2,26 +2,13 @@
 #include "machine/emulation/report.hpp"
 
 #include "machine/emulation/fabric_parts.hpp"
+#include "machine/emulation/names.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 namespace rasterloom::emulation {
 
 namespace {
-
-// Programs name activities and phases by symbols such as mark_route = 4 and phase_name_rotate = 0;
-// programs/README.md.
-std::vector<std::string> names_from_symbols(const isa::Image& image, std::string_view prefix,
-                                            std::uint32_t count) {
-    std::vector<std::string> names(count);
-    for (const auto& [symbol, value] : image.symbols) {
-        if (symbol.starts_with(prefix) && value < count) {
-            names[value] = symbol.substr(prefix.size());
-        }
-    }
-    return names;
-}
 
 observe::NodeReport node_report(const Processor& processor, const std::string& name) {
     observe::NodeReport report;
@@ -60,23 +47,6 @@ observe::LinkReport link_report(const NetworkLink& wire,
 }
 
 }  // namespace
-
-observe::TraceNames trace_names(const Blueprint& blueprint, const Machine& machine) {
-    const config::MachineDescription& description = blueprint.description;
-    observe::TraceNames names;
-    names.machine = description.machine.empty() ? "machine" : description.machine;
-    for (const topology::Node& node : blueprint.topology.nodes) {
-        names.nodes.push_back(node.name);
-    }
-    names.activities = names_from_symbols(*blueprint.image, "mark_", kActivities);
-    names.phases = names_from_symbols(*blueprint.image, "phase_name_",
-                                      static_cast<std::uint32_t>(machine.phases_per_frame()));
-    if (!machine.links().empty()) {
-        names.link_latency = description.links.latency;
-    }
-    names.cycle = description.nodes.clock.clock().nominal_period();
-    return names;
-}
 
 observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
                                  observe::PhaseLog& phases, Time end) {

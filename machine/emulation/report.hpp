@@ -3,7 +3,6 @@
 
 #include "machine/emulation/blueprint.hpp"
 #include "machine/emulation/machine.hpp"
-#include "machine/observe/machine_trace.hpp"
 #include "machine/observe/phase_log.hpp"
 #include "machine/observe/run_report.hpp"
 
@@ -11,9 +10,6 @@ namespace rasterloom::emulation {
 
 // Gathers what every part of the machine has counted. To be called once, after the run; `end` is
 // its last event's time.
-// For the trace of a machine that has not run.
-observe::TraceNames trace_names(const Blueprint& blueprint, const Machine& machine);
-
 observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
                                  observe::PhaseLog& phases, Time end);
 

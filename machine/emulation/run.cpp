@@ -5,12 +5,14 @@
 #include "machine/emulation/appendix_c_collector.hpp"
 #include "machine/emulation/job.hpp"
 #include "machine/emulation/machine.hpp"
+#include "machine/emulation/names.hpp"
 #include "machine/emulation/observers.hpp"
 #include "machine/emulation/path_collector.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/report.hpp"
 #include "machine/emulation/slices.hpp"
 #include "machine/emulation/threads.hpp"
+#include "machine/observe/machine_trace.hpp"
 #include "machine/observe/message_csv.hpp"
 #include "machine/observe/phase_log.hpp"
 
@@ -180,12 +182,16 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         messages.emplace(*options.messages_csv);
     }
     machine.simulation().use_threads(threads_for(description, machine));
+    const observe::MachineNames names = machine_names(blueprint, machine);
     std::optional<observe::MachineTrace> trace;
     if (options.trace) {
-        trace.emplace(*options.trace, trace_names(blueprint, machine));
+        trace.emplace(*options.trace, names);
     }
-    Observers observers(machine, phases, messages ? &*messages : nullptr,
-                        trace ? &*trace : nullptr);
+    std::vector<observe::TraceSink*> traces;
+    if (trace) {
+        traces.push_back(&*trace);
+    }
+    Observers observers(machine, phases, messages ? &*messages : nullptr, traces);
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
@@ -221,10 +227,10 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     outcome.report = gather_report(blueprint, machine, phases, result.time);
     if (trace && outcome.failure.empty()) {
         observers.catch_up(Time::never());  // what nodes were at when the run ended
-        trace->close();
+        trace->close(result.time);
     }
     if (paths) {
-        outcome.report.paths = paths->finish(blueprint, outcome.report.phases);
+        outcome.report.paths = paths->finish(names, outcome.report.phases);
     }
     if (appendix_c) {
         outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);

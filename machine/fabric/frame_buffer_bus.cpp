@@ -42,6 +42,8 @@ void FrameBufferBus::handle(const Event& event) {
         arbitrates_ = false;
         if (waiting_ > 0) {
             grant();
+        } else {
+            probe_.enter(id(), PartState::idle, now());
         }
         return;
     }
@@ -65,6 +67,7 @@ void FrameBufferBus::grant() {
     waits_[processor] = false;
     --waiting_;
     ++statistics_.pixels;
+    probe_.enter(id(), PartState::busy, now());
     statistics_.busy += time_per_pixel_;
     const Duration waited = now() - asked_[processor];
     statistics_.waiting += waited;

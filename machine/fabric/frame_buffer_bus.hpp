@@ -11,6 +11,7 @@
 // for nobody is written exactly time_per_pixel after its processor asked.
 #pragma once
 
+#include "machine/fabric/part_listener.hpp"
 #include "machine/kernel/simulation.hpp"
 #include "machine/node/processor.hpp"
 
@@ -37,6 +38,7 @@ class FrameBufferBus final : public Component {
     void connect(Simulation& simulation, int index, Processor& processor);
 
     const FrameBufferBusStatistics& statistics() const { return statistics_; }
+    PartProbe& probe() { return probe_; }
 
     void handle(const Event& event) override;
 
@@ -51,6 +53,7 @@ class FrameBufferBus final : public Component {
     std::size_t next_ = 0;     // the first in the next round
     bool arbitrates_ = false;  // an event that grants the bus is under way
     FrameBufferBusStatistics statistics_;
+    PartProbe probe_;
 };
 
 }  // namespace rasterloom

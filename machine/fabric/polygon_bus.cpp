@@ -39,14 +39,20 @@ void PolygonBus::handle(const Event& event) {
     if (event.phase() == EventPhase::work) {
         end();
     } else if (event.port == kInput) {
-        if (!input_.deliver(message_of(event), now())) {
+        if (!input_.deliver(delivered_message(event), now())) {
             throw InvariantError(now(), name(), "the input FIFO overflows");
         }
+        probe_.take(id(), now());
     } else {
         waiting_ = false;
         take_credit(static_cast<std::size_t>(event.port) - 1, now());
     }
     take();
+    probe_.enter(id(),
+                 busy_   ? PartState::busy
+                 : held_ ? PartState::blocked
+                         : PartState::idle,
+                 now());
 }
 
 // No transfer begins while the bus is held: a listener that lacks a place has lacked it since then.
@@ -146,7 +152,7 @@ void PolygonBus::hand_to(std::size_t listener, Time end) {
     message.id = from.id;
     message.source = from.source;
     message.port = from.port;
-    message.queued = from.queued;
+    message.queued = now();
     message.bytes.reserve(kMaxPolygonMessageBytes);  // once: the place is used again
     message.bytes = from.bytes;
     ++message.bytes[1];
@@ -158,6 +164,7 @@ void PolygonBus::hand_to(std::size_t listener, Time end) {
 
 void PolygonBus::end() {
     busy_ = false;
+    probe_.pass(id(), input_.oldest(), now());
     input_.drop_oldest(now());
     send(kInput, static_cast<EventKind>(MessageEvent::credit), 0, now());
 }

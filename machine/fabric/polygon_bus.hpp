@@ -17,6 +17,7 @@
 #pragma once
 
 #include "machine/fabric/message_fifo.hpp"
+#include "machine/fabric/part_listener.hpp"
 #include "machine/kernel/component.hpp"
 
 #include <cstdint>
@@ -53,6 +54,7 @@ class PolygonBus final : public Component {
     PolygonBus(std::string name, const PolygonBusSettings& settings);
 
     PolygonBusStatistics statistics() const;
+    PartProbe& probe() { return probe_; }
 
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
@@ -79,6 +81,7 @@ class PolygonBus final : public Component {
     bool waiting_ = false;  // ...and a credit of his is awaited; the others' are kept
     Time held_since_;
     PolygonBusStatistics statistics_;  // but the FIFO's
+    PartProbe probe_;
 };
 
 }  // namespace rasterloom

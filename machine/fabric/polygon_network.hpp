@@ -63,6 +63,23 @@ struct PolygonNetwork {  // owned by the simulation
     std::vector<PolygonBus*> buses;           // likewise
     std::vector<TurnBus*> turn_buses;         // [bus], where polygons are half-digested
     FrameBufferBus* frame_buffer_bus = nullptr;
+
+    // Calls `visit(part)` for all of them, each as what it is.
+    template <class Visit>
+    void for_each_part(Visit&& visit) const {
+        visit(*source);
+        const auto each = [&](const auto& parts) {
+            for (auto* part : parts) {
+                visit(*part);
+            }
+        };
+        each(splitters);
+        each(buses);
+        each(turn_buses);
+        if (frame_buffer_bus != nullptr) {
+            visit(*frame_buffer_bus);
+        }
+    }
 };
 
 // Sets what the fabric wants of the processor that draws `grid`: its ports and its frame buffer.

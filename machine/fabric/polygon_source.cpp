@@ -46,9 +46,27 @@ void PolygonSource::load(std::vector<std::vector<Polygon>> frames) {
 
 void PolygonSource::start() {
     begin_phase();
+    probe_.enter(id(), part_state(), now());
 }
 
 void PolygonSource::handle(const Event& event) {
+    act(event);
+    probe_.enter(id(), part_state(), now());
+}
+
+PartState PolygonSource::part_state() const {
+    switch (state_) {
+        case State::preparing:
+            return PartState::busy;
+        case State::ready:
+            return PartState::blocked;
+        case State::waiting:
+            break;
+    }
+    return PartState::idle;
+}
+
+void PolygonSource::act(const Event& event) {
     if (event.phase() == EventPhase::work) {
         state_ = State::ready;
         ready_since_ = now();

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "machine/fabric/message_fifo.hpp"
+#include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/polygon.hpp"
 #include "machine/kernel/component.hpp"
 
@@ -52,6 +53,7 @@ class PolygonSource final : public Component {
     void load(std::vector<std::vector<Polygon>> frames);
 
     const PolygonSourceStatistics& statistics() const { return statistics_; }
+    PartProbe& probe() { return probe_; }
 
     void start() override;
     void handle(const Event& event) override;
@@ -60,6 +62,8 @@ class PolygonSource final : public Component {
   private:
     enum class State : std::uint8_t { waiting, preparing, ready };
 
+    PartState part_state() const;
+    void act(const Event& event);
     void begin_phase();
     void prepare_next();
     void hand_on();
@@ -80,6 +84,7 @@ class PolygonSource final : public Component {
     std::uint32_t sent_ = 0;
     Time ready_since_;
     PolygonSourceStatistics statistics_;
+    PartProbe probe_;
 };
 
 }  // namespace rasterloom

@@ -38,9 +38,10 @@ void PolygonSplitter::handle(const Event& event) {
         state_ = State::blocked;
         blocked_since_ = now();
     } else if (event.port == kInput) {
-        if (!input_.deliver(message_of(event), now())) {
+        if (!input_.deliver(delivered_message(event), now())) {
             throw InvariantError(now(), name(), "the input FIFO overflows");
         }
+        probe_.take(id(), now());
     } else {
         book_blocked();
         Output& output = outputs_[event.port == kLow ? 0 : 1];
@@ -48,6 +49,19 @@ void PolygonSplitter::handle(const Event& event) {
         release(output);
     }
     take();
+    probe_.enter(id(), part_state(), now());
+}
+
+PartState PolygonSplitter::part_state() const {
+    switch (state_) {
+        case State::working:
+            return PartState::busy;
+        case State::blocked:
+            return PartState::blocked;
+        case State::idle:
+            break;
+    }
+    return PartState::idle;
 }
 
 // Goes on as far as time and room allow.
@@ -112,6 +126,7 @@ bool PolygonSplitter::hand_on() {
             hand_on(output);
         }
     }
+    probe_.pass(id(), input_.oldest(), now());
     input_.drop_oldest(now());
     send(kInput, static_cast<EventKind>(MessageEvent::credit), 0, now());
     return true;
@@ -123,7 +138,7 @@ void PolygonSplitter::hand_on(Output& output) {
     message.id = from.id;
     message.source = from.source;
     message.port = from.port;
-    message.queued = from.queued;
+    message.queued = now();
     const auto hops = static_cast<std::uint8_t>(hops_of_polygon_message(from.bytes) + 1);
     if (output.part.vertices.empty()) {
         message.bytes = from.bytes;

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "machine/fabric/message_fifo.hpp"
+#include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/polygon.hpp"
 #include "machine/kernel/component.hpp"
 #include "topologies/tiling.hpp"
@@ -66,6 +67,7 @@ class PolygonSplitter final : public Component {
 
     const SplitterSettings& settings() const { return settings_; }
     SplitterStatistics statistics() const;
+    PartProbe& probe() { return probe_; }
 
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
@@ -86,6 +88,7 @@ class PolygonSplitter final : public Component {
         bool lacks_room() const { return gets && !fifo.has_room(); }
     };
 
+    PartState part_state() const;
     void take();
     void begin();
     void cut();
@@ -101,6 +104,7 @@ class PolygonSplitter final : public Component {
     std::array<Output, 2> outputs_;  // low, high
     Polygon polygon_;                // in work
     SplitterStatistics statistics_;  // but the outputs'
+    PartProbe probe_;
 };
 
 }  // namespace rasterloom

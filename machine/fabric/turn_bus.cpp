@@ -41,7 +41,9 @@ void TurnBus::handle(const Event& event) {
         Station& station = stations_[static_cast<std::size_t>(event.port) / 2];
         switch (static_cast<MessageEvent>(event.kind)) {
             case MessageEvent::transmit:
-                station.message = message_of(event);
+                station.message = delivered_message(event);
+                station.message->delivered = now();
+                probe_.take(id(), now());
                 ++waiting_;
                 break;
             case MessageEvent::credit:
@@ -52,6 +54,20 @@ void TurnBus::handle(const Event& event) {
         }
     }
     take();
+    probe_.enter(id(), part_state(), now());
+}
+
+PartState TurnBus::part_state() const {
+    switch (state_) {
+        case State::busy:
+            return PartState::busy;
+        case State::out_of_turn:
+        case State::held:
+            return PartState::blocked;
+        case State::idle:
+            break;
+    }
+    return PartState::idle;
 }
 
 // No transfer begins while the bus is held: who lacks a place has lacked it since then.
@@ -106,6 +122,7 @@ void TurnBus::take_end(std::size_t processor) {
     Station& station = stations_[processor];
     end_ = *station.message;
     write_end_of_frame(end_.bytes, 0);
+    probe_.pass(id(), *station.message, now());
     station.message = nullptr;
     station.ended = true;
     ++ended_;
@@ -131,6 +148,7 @@ void TurnBus::broadcast() {
         ended_ = 0;
         turn_ = 0;
     } else {
+        probe_.pass(id(), *station.message, now() + occupied);
         station.message = nullptr;
         --waiting_;
         send(input_port(static_cast<int>(turn_)), static_cast<EventKind>(MessageEvent::done), 1,
@@ -151,7 +169,7 @@ void TurnBus::send_to_all(const Message& from, Duration occupied) {
         message.id = from.id;
         message.source = from.source;
         message.port = from.port;
-        message.queued = from.queued;
+        message.queued = now();
         message.bytes = from.bytes;
         if (message.bytes.size() > 1) {
             ++message.bytes[1];

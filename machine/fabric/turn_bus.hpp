@@ -27,6 +27,7 @@
 #pragma once
 
 #include "machine/fabric/message_fifo.hpp"
+#include "machine/fabric/part_listener.hpp"
 #include "machine/kernel/component.hpp"
 
 #include <cstdint>
@@ -64,6 +65,7 @@ class TurnBus final : public Component {
     TurnBus(std::string name, const TurnBusSettings& settings);
 
     const TurnBusStatistics& statistics() const { return statistics_; }
+    PartProbe& probe() { return probe_; }
 
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
@@ -76,6 +78,7 @@ class TurnBus final : public Component {
         OutputFifo receiver;
     };
 
+    PartState part_state() const;
     void take_credit(std::size_t processor);
     void take();
     State next_state();
@@ -97,6 +100,7 @@ class TurnBus final : public Component {
     Time held_since_;  // while it is held
     Time since_;       // of what is not booked yet
     TurnBusStatistics statistics_;
+    PartProbe probe_;
 };
 
 }  // namespace rasterloom

@@ -15,7 +15,7 @@ void ActivityMeter::book(NodeState state, Time until) {
     }
 }
 
-void ActivityMeter::end_interval(NodeState state, Time until) {
+void ActivityMeter::end_interval(NodeState state, Time until, EventId ended_by) {
     if (until == interval_from_) {
         return;
     }
@@ -23,7 +23,7 @@ void ActivityMeter::end_interval(NodeState state, Time until) {
         statistics_.busy_with[activity_] += until - interval_from_;
     }
     probe_.tell([&](NodeListener& listener) {
-        listener.interval_ended({node_, state, activity_, interval_from_, until});
+        listener.interval_ended({node_, state, activity_, interval_from_, until, ended_by});
     });
     interval_from_ = until;
 }
@@ -45,9 +45,9 @@ void ActivityMeter::begin_stall(Time time, Executed executed) {
     mode_ = Mode::stalled;
 }
 
-void ActivityMeter::end_stall(NodeState kind, Time time) {
+void ActivityMeter::end_stall(NodeState kind, Time time, EventId ended_by) {
     book(kind, time);
-    end_interval(kind, time);
+    end_interval(kind, time, ended_by);
     counted_to_ = statistics_.phases.size() - 1;
     mode_ = Mode::busy;
 }

@@ -30,8 +30,8 @@ class ActivityMeter {
 
     // Busy until `time`, where a stall begins. Nothing happens when one is in progress...
     void begin_stall(Time time, Executed executed);
-    // ...which is over at `time`, and was of this kind.
-    void end_stall(NodeState kind, Time time);
+    // ...which is over at `time` because of `ended_by`, and was of this kind.
+    void end_stall(NodeState kind, Time time, EventId ended_by);
     // Halted for good at `time`.
     void halt(Time time, Executed executed);
     // The program names another activity at `time`; it goes on being busy.
@@ -59,7 +59,7 @@ class ActivityMeter {
     enum class Mode : std::uint8_t { busy, stalled, halted };
 
     void book(NodeState state, Time until);
-    void end_interval(NodeState state, Time until);
+    void end_interval(NodeState state, Time until, EventId ended_by = kNoCause);
     void count(Executed executed);
 
     NodeIndex node_;

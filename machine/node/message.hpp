@@ -11,7 +11,7 @@
 // and one side at a time touches it.
 #pragma once
 
-#include "machine/kernel/event.hpp"
+#include "machine/kernel/cause.hpp"
 #include "machine/kernel/time.hpp"
 #include "topologies/topology.hpp"
 
@@ -30,6 +30,7 @@ struct Message {
     Time queued;
     Time started;
     Time delivered;
+    EventId delivery = kNoCause;
 };
 
 // The life of a message over one hop, as observers are told when it is consumed.
@@ -39,15 +40,33 @@ struct MessageRecord {
     std::uint8_t port = 0;
     NodeIndex destination = 0;
     std::uint32_t bytes = 0;
-    std::uint8_t kind = 0;  // byte 0, by the programs' convention
-    std::uint8_t hops = 0;  // byte 1, likewise; 0 for a message of one byte
-    Time queued;            // the program wrote TXLEN
-    Time started;           // the link took it
-    Time delivered;         // it stood in the receiver's input queue
-    Time consumed;          // the receiving program wrote RXADDR
+    std::uint8_t kind = 0;        // byte 0, by the programs' convention
+    std::uint8_t hops = 0;        // byte 1, likewise; 0 for a message of one byte
+    Time queued;                  // the program wrote TXLEN
+    Time started;                 // the link took it
+    Time delivered;               // it stood in the receiver's input queue
+    Time consumed;                // the receiving program wrote RXADDR
+    EventId delivery = kNoCause;  // the event that brought it there
 };
 
-// Kinds of event at message ports.
+inline MessageRecord record_of(const Message& message, NodeIndex destination, Time consumed) {
+    const auto bytes = static_cast<std::uint32_t>(message.bytes.size());
+    return {message.id,
+            message.source,
+            message.port,
+            destination,
+            bytes,
+            message.bytes[0],
+            bytes > 1 ? message.bytes[1] : std::uint8_t{0},
+            message.queued,
+            message.started,
+            message.delivered,
+            consumed,
+            message.delivery};
+}
+
+// Kinds of event at message ports. No two protocols share a number: who listens to causes can tell
+// them apart.
 enum class MessageEvent : EventKind {
     transmit,  // node -> fabric; payload: Message*
     done,   // fabric -> sender: the message in transfer has left the output queue; payload 1: ready
@@ -59,14 +78,14 @@ enum class MessageEvent : EventKind {
 
 // Kinds of event between a node and the supervisor.
 enum class SupervisorEvent : EventKind {
-    credit,  // node -> supervisor; payload: credit_payload()
-    phase,   // supervisor -> node; payload: the value that PHASE shows
+    credit = 16,  // node -> supervisor; payload: credit_payload()
+    phase,        // supervisor -> node; payload: the value that PHASE shows
 };
 
 // Kinds of event between a node and the frame-buffer bus: one word at a time.
 enum class FrameBufferEvent : EventKind {
-    request,  // node -> bus: a word is to be written
-    done,     // bus -> node: it has been
+    request = 32,  // node -> bus: a word is to be written
+    done,          // bus -> node: it has been
 };
 
 // A write to CREDIT, as the supervisor gets it.
@@ -93,6 +112,12 @@ inline std::uint64_t to_payload(Message* message) {
 }
 inline Message* message_of(const Event& event) {
     return reinterpret_cast<Message*>(static_cast<std::uintptr_t>(event.payload));
+}
+// Likewise, for the one to whom the event delivers it.
+inline Message* delivered_message(const Event& event) {
+    Message* message = message_of(event);
+    message->delivery = id_of(event);
+    return message;
 }
 
 }  // namespace rasterloom

@@ -27,6 +27,7 @@ struct StateInterval {
     std::uint8_t activity = 0;  // as MARK named it last
     Time from;
     Time to;
+    EventId ended_by = kNoCause;  // the event, if the state was one of waiting and one ended it
 };
 
 // The program is about to execute a tapped instruction (isa::Core::set_taps).
@@ -42,6 +43,8 @@ class NodeListener {
   public:
     virtual ~NodeListener() = default;
     virtual void message_consumed(const MessageRecord&) {}
+    // A message stands in an input queue of the node.
+    virtual void message_arrived(NodeIndex, Time) {}
     // Intervals of one node come in order; those of different nodes do not, because a processor may
     // run ahead.
     virtual void interval_ended(const StateInterval&) {}

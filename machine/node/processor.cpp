@@ -335,7 +335,7 @@ void Processor::resume() {
         bound_by_ = scheduler().handling();
         cycle_ = cycle;
         local_time_ = settings_.clock.edge(Cycles(cycle_));
-        meter_.end_stall(was, local_time_);
+        meter_.end_stall(was, local_time_, bound_by_);
     }
     stall_ = Stall::none;
     if (runs_freely() || (settings_.run_ahead && scheduler().advance_to(own_key(local_time_)))) {
@@ -363,9 +363,11 @@ void Processor::handle_message(const Event& event) {
     const PortState& state = port_states_[static_cast<std::size_t>(port)];
     switch (static_cast<MessageEvent>(event.kind)) {
         case MessageEvent::deliver:
-            if (!ports_.deliver(port, message_of(event), now())) {
+            if (!ports_.deliver(port, delivered_message(event), now())) {
                 throw InvariantError(now(), name(), fmt::format("input queue {} overflows", port));
             }
+            meter_.probe().tell(
+                [&](NodeListener& listener) { listener.message_arrived(settings_.node, now()); });
             if (state.receive_interrupt && ports_.waiting(port) == 1) {
                 request(receive_vector(port));
             }

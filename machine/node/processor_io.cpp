@@ -297,11 +297,7 @@ void Processor::transmit() {
 
 void Processor::tell_consumed(const Message& message) const {
     meter_.probe().tell([&](NodeListener& listener) {
-        listener.message_consumed(
-            {message.id, message.source, message.port, settings_.node,
-             static_cast<std::uint32_t>(message.bytes.size()), message.bytes[0],
-             message.bytes.size() > 1 ? message.bytes[1] : std::uint8_t{0}, message.queued,
-             message.started, message.delivered, local_time_});
+        listener.message_consumed(record_of(message, settings_.node, local_time_));
     });
 }
 

@@ -20,7 +20,7 @@ std::int64_t scale_for(Duration cycle) {
     return scale;
 }
 
-std::string title(const TraceNames& names) {
+std::string title(const MachineNames& names) {
     const std::int64_t scale = scale_for(names.cycle);
     return fmt::format("{} ({} ns here {} 1 ns of the machine's time)", names.machine, scale,
                        scale == 1 ? "is" : "are");
@@ -44,16 +44,43 @@ const char* name_of(NodeState state) {
 
 }  // namespace
 
-MachineTrace::MachineTrace(const std::filesystem::path& path, TraceNames names)
-    : names_(std::move(names)), file_(path, scale_for(names_.cycle)) {
+MachineTrace::MachineTrace(const std::filesystem::path& path, MachineNames names)
+    : names_(std::move(names)),
+      file_(path, scale_for(names_.cycle)),
+      tracks_(names_.components.size()),
+      queues_(names_.components.size()) {
     const PerfettoFile::Track root = file_.add_track(title(names_), 0);
     phases_ = file_.add_track("phases", root);
-    const PerfettoFile::Track processors = file_.add_track("processors", root);
-    for (const std::string& node : names_.nodes) {
-        nodes_.push_back(file_.add_track(node, processors));
-    }
-    if (names_.link_latency) {
+    add_parts(root);
+    add_nodes(root);
+    if (!names_.links.empty()) {
         links_ = file_.add_track("links", root);
+    }
+}
+
+void MachineTrace::add_nodes(PerfettoFile::Track root) {
+    const PerfettoFile::Track processors = file_.add_track("processors", root);
+    for (const ComponentId node : names_.nodes) {
+        const auto index = static_cast<std::size_t>(node);
+        tracks_[index] = file_.add_track(names_.label(node).name, processors);
+        queues_[index].track = file_.add_counter("messages waiting", tracks_[index]);
+    }
+}
+
+void MachineTrace::add_parts(PerfettoFile::Track root) {
+    if (names_.parts.empty()) {
+        return;
+    }
+    busy_ = file_.name("busy");
+    blocked_ = file_.name("blocked");
+    const PerfettoFile::Track fabric = file_.add_track("fabric", root);
+    for (const ComponentId part : names_.parts) {
+        const auto index = static_cast<std::size_t>(part);
+        const ComponentLabel& label = names_.label(part);
+        const std::string name =
+            label.kind == label.name ? label.kind : label.kind + "/" + label.name;
+        tracks_[index] = file_.add_track(name, fabric);
+        queues_[index].track = file_.add_counter("messages waiting", tracks_[index]);
     }
 }
 
@@ -71,23 +98,27 @@ PerfettoFile::Name MachineTrace::name_of(const StateInterval& interval) {
 }
 
 void MachineTrace::interval_ended(const StateInterval& interval) {
-    file_.slice(nodes_[interval.node], name_of(interval), interval.from, interval.to, {});
+    file_.slice(track(names_.nodes[interval.node]), name_of(interval), interval.from, interval.to,
+                {});
+}
+
+void MachineTrace::part_interval_ended(const PartInterval& interval) {
+    file_.slice(track(interval.part), interval.state == PartState::busy ? busy_ : blocked_,
+                interval.from, interval.to, {});
 }
 
 // A link gets its track with its first message.
 PerfettoFile::Track MachineTrace::link_track(const MessageRecord& message) {
-    PerfettoFile::Track& track = link_tracks_[std::uint64_t{message.source} << 8U | message.port];
+    PerfettoFile::Track& track = tracks_[static_cast<std::size_t>(message.delivery.source)];
     if (track == 0) {
-        track = file_.add_track(
-            fmt::format("{} > {}", names_.nodes[message.source], names_.nodes[message.destination]),
-            links_);
+        track = file_.add_track(names_.label(message.delivery.source).name, links_);
     }
     return track;
 }
 
 // The one at the other end is named where there are links; a polygon comes from the host.
 PerfettoFile::Name MachineTrace::name_of(Part part, const MessageRecord& message) {
-    const bool whose = part != Part::carried && names_.link_latency.has_value();
+    const bool whose = part != Part::carried && !names_.links.empty();
     const NodeIndex other = part == Part::sent ? message.destination : message.source;
     const std::uint64_t key = (whose ? std::uint64_t{other} : 0) << 32U |
                               std::uint64_t{message.bytes} << 16U |
@@ -95,36 +126,72 @@ PerfettoFile::Name MachineTrace::name_of(Part part, const MessageRecord& message
     PerfettoFile::Name& name = message_names_[key];
     if (name == 0) {
         const char* verb = part == Part::sent ? "send " : part == Part::taken ? "take " : "";
-        const std::string end =
-            whose ? (part == Part::sent ? " to " : " from ") + names_.nodes[other] : "";
+        const std::string end = whose ? (part == Part::sent ? " to " : " from ") +
+                                            names_.label(names_.nodes[other]).name
+                                      : "";
         name = file_.name(
             fmt::format("{}kind {}, {} bytes{}", verb, message.kind, message.bytes, end));
     }
     return name;
 }
 
+// What comes and goes at one time is not seen.
+void MachineTrace::change_queue(ComponentId component, Time time, int change) {
+    Queue& queue = queues_[static_cast<std::size_t>(component)];
+    if (time > queue.since) {
+        write_queue(queue);
+        queue.since = time;
+    }
+    queue.length += change;
+}
+
+void MachineTrace::write_queue(Queue& queue) {
+    if (queue.length != queue.written) {
+        file_.count(queue.track, queue.since, queue.length);
+        queue.written = queue.length;
+    }
+}
+
+void MachineTrace::message_arrived(NodeIndex node, Time time) {
+    change_queue(names_.nodes[node], time, 1);
+}
+
+void MachineTrace::message_came(ComponentId part, Time time) {
+    change_queue(part, time, 1);
+}
+
+void MachineTrace::message_passed(ComponentId part, const MessageRecord& message) {
+    change_queue(part, message.consumed, -1);
+}
+
 void MachineTrace::message_consumed(const MessageRecord& message) {
-    if (!names_.link_latency) {
-        file_.instant(nodes_[message.destination], name_of(Part::taken, message), message.consumed,
-                      {}, false);
+    const ComponentId destination = names_.nodes[message.destination];
+    change_queue(destination, message.consumed, -1);
+    if (names_.links.empty()) {
+        file_.instant(track(destination), name_of(Part::taken, message), message.consumed, {},
+                      false);
         return;
     }
     const std::vector<PerfettoFile::Flow> arrow{message.id + 1};
-    file_.instant(nodes_[message.source], name_of(Part::sent, message), message.queued, arrow,
-                  false);
+    file_.instant(track(names_.nodes[message.source]), name_of(Part::sent, message), message.queued,
+                  arrow, false);
     file_.slice(link_track(message), name_of(Part::carried, message), message.started,
-                message.delivered - *names_.link_latency, arrow);
-    file_.instant(nodes_[message.destination], name_of(Part::taken, message), message.consumed,
-                  arrow, true);
+                message.delivered - names_.link_latency, arrow);
+    file_.instant(track(destination), name_of(Part::taken, message), message.consumed, arrow, true);
 }
 
 void MachineTrace::phase_ended(const PhaseRecord& phase) {
-    const auto number = static_cast<std::size_t>(phase.phase);
-    const std::string name = number < names_.phases.size() && !names_.phases[number].empty()
-                                 ? names_.phases[number]
-                                 : fmt::format("phase {}", phase.phase);
-    file_.slice(phases_, file_.name(fmt::format("frame {}: {}", phase.frame, name)), phase.began,
-                phase.ended, {});
+    file_.slice(
+        phases_,
+        file_.name(fmt::format("frame {}: {}", phase.frame, names_.phase_name(phase.phase))),
+        phase.began, phase.ended, {});
+}
+
+void MachineTrace::close(Time /*end*/) {
+    for (Queue& queue : queues_) {
+        write_queue(queue);
+    }
+    file_.close();
 }
 
 }  // namespace rasterloom::observe

@@ -39,7 +39,7 @@ std::size_t phase_at(const std::vector<PhaseReport>& phases, Time time) {
 }  // namespace
 
 PathReport summarize(const CriticalPath& path, const std::vector<PhaseReport>& phases,
-                     const Labels& labels) {
+                     const MachineNames& names) {
     PathReport report;
     report.frame = path.frame;
     report.began = path.began;
@@ -49,7 +49,7 @@ PathReport summarize(const CriticalPath& path, const std::vector<PhaseReport>& p
     std::map<std::string, PathReport::Share> components;
     std::map<std::pair<std::size_t, std::string>, Duration> by_phase;
     for (const PathStep& step : path.steps) {
-        ComponentLabel label = labels(step.component);
+        ComponentLabel label = names.label(step.component);
         if (step.on_wire) {
             label = {kWire, "from " + label.kind};
         }

@@ -3,25 +3,19 @@
 #pragma once
 
 #include "machine/observe/critical_path.hpp"
+#include "machine/observe/machine_names.hpp"
 #include "machine/observe/run_report.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace rasterloom::observe {
 
-// Who a component is for a person: "node" and "P31-123", "link" and "P31-123 > P28-114".
-struct ComponentLabel {
-    std::string kind;
-    std::string name;
-};
 inline constexpr const char* kWire = "wire";  // the kind of a latency; its name: "from link"
-using Labels = std::function<ComponentLabel(ComponentId)>;
 
 // `phases` as the run reports them, of all frames in order.
 PathReport summarize(const CriticalPath& path, const std::vector<PhaseReport>& phases,
-                     const Labels& labels);
+                     const MachineNames& names);
 
 // A page for a person; `report.paths` is not empty.
 std::string bottlenecks_text(const RunReport& report);

@@ -26,14 +26,15 @@ constexpr protozero::pbf_tag_type timestamp = 8, sequence_id = 10, track_event =
 constexpr std::uint32_t cleared = 1, needs_state = 2;  // sequence_flags
 }  // namespace packet
 namespace track_descriptor {
-constexpr protozero::pbf_tag_type uuid = 1, name = 2, parent_uuid = 5, child_ordering = 11,
-                                  sibling_order_rank = 12, sibling_merge_behavior = 15;
+constexpr protozero::pbf_tag_type uuid = 1, name = 2, parent_uuid = 5, counter = 8,
+                                  child_ordering = 11, sibling_order_rank = 12,
+                                  sibling_merge_behavior = 15;
 constexpr std::int32_t ordering_explicit = 3, merge_none = 2;
 }  // namespace track_descriptor
 namespace track_event {
-constexpr protozero::pbf_tag_type type = 9, name_iid = 10, track_uuid = 11, flow_ids = 47,
-                                  terminating_flow_ids = 48;
-constexpr std::uint64_t slice_begin = 1, slice_end = 2, instant = 3;
+constexpr protozero::pbf_tag_type type = 9, name_iid = 10, track_uuid = 11, counter_value = 30,
+                                  flow_ids = 47, terminating_flow_ids = 48;
+constexpr std::uint64_t slice_begin = 1, slice_end = 2, instant = 3, counter = 4;
 }  // namespace track_event
 namespace interned_data {
 constexpr protozero::pbf_tag_type event_names = 2;
@@ -73,6 +74,15 @@ void PerfettoFile::add_packet(const std::string& packet) {
 }
 
 PerfettoFile::Track PerfettoFile::add_track(std::string_view name, Track parent) {
+    return describe_track(name, parent, false);
+}
+
+PerfettoFile::Track PerfettoFile::add_counter(std::string_view name, Track parent) {
+    return describe_track(name, parent, true);
+}
+
+PerfettoFile::Track PerfettoFile::describe_track(std::string_view name, Track parent,
+                                                 bool is_counter) {
     const Track track = ++last_track_;
     std::string descriptor;
     pbf_writer fields(descriptor);
@@ -80,6 +90,9 @@ PerfettoFile::Track PerfettoFile::add_track(std::string_view name, Track parent)
     fields.add_string(track_descriptor::name, name.data(), name.size());
     if (parent != 0) {
         fields.add_uint64(track_descriptor::parent_uuid, parent);
+    }
+    if (is_counter) {
+        fields.add_message(track_descriptor::counter, std::string());
     }
     fields.add_int32(track_descriptor::child_ordering, track_descriptor::ordering_explicit);
     fields.add_int32(track_descriptor::sibling_order_rank, children_[parent]++);
@@ -132,6 +145,11 @@ void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time,
         event.add_fixed64(flows_end ? track_event::terminating_flow_ids : track_event::flow_ids,
                           flow);
     }
+    add_event(time);
+}
+
+// What `fields_` holds.
+void PerfettoFile::add_event(Time time) {
     packet_.clear();
     pbf_writer writer(packet_);
     writer.add_uint64(packet::timestamp, nanoseconds(time));
@@ -140,6 +158,15 @@ void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time,
     writer.add_message(packet::track_event, fields_);
     add_packet(packet_);
     ++events_;
+}
+
+void PerfettoFile::count(Track counter, Time at, std::int64_t value) {
+    fields_.clear();
+    pbf_writer event(fields_);
+    event.add_uint64(track_event::type, track_event::counter);
+    event.add_uint64(track_event::track_uuid, counter);
+    event.add_int64(track_event::counter_value, value);
+    add_event(at);
 }
 
 void PerfettoFile::slice(Track track, Name name, Time from, Time to,

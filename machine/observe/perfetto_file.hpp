@@ -36,9 +36,14 @@ class PerfettoFile {
     Name name(std::string_view text);
     // Tracks below one parent are shown in the order in which they were added.
     Track add_track(std::string_view name, Track parent);
+    // A track whose events are the values of a counter, which is 0 at first.
+    Track add_counter(std::string_view name, Track parent);
     // Slices of one track must not overlap; nothing is written for one that is no time long.
     void slice(Track track, Name name, Time from, Time to, const std::vector<Flow>& flows);
     void instant(Track track, Name name, Time at, const std::vector<Flow>& flows, bool flows_end);
+
+    // The counter is `value` from `at` on.
+    void count(Track counter, Time at, std::int64_t value);
 
     std::int64_t events() const { return events_; }
     // Throws OutputError when not everything could be written.
@@ -49,7 +54,9 @@ class PerfettoFile {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
 
+    Track describe_track(std::string_view name, Track parent, bool is_counter);
     std::uint64_t nanoseconds(Time time) const;
+    void add_event(Time time);
     void event(Track track, std::uint64_t type, Name name, Time time,
                const std::vector<Flow>& flows, bool flows_end);
     void add_packet(const std::string& packet);

@@ -7,6 +7,7 @@
 #include <deque>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace rasterloom::observe {
 
@@ -21,11 +22,26 @@ struct Ended {
 
 }  // namespace
 
-class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
-                                                       public SupervisorListener {
-  public:
-    explicit Keeper(const bool& keeps_intervals) : keeps_intervals_(keeps_intervals) {}
+Time RecordMerger::PartRecord::ended() const {
+    const auto* interval = std::get_if<PartInterval>(&what);
+    return interval != nullptr ? interval->to : std::get<MessageRecord>(what).consumed;
+}
 
+class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
+                                                       public SupervisorListener,
+                                                       public PartListener {
+  public:
+    Keeper(const bool& keeps_intervals, const std::vector<ComponentId>& component_of)
+        : keeps_intervals_(keeps_intervals), component_of_(component_of) {}
+
+    void message_arrived(NodeIndex node, Time time) override {
+        if (keeps_intervals_) {
+            arrivals.push_back({time, component_of_[node], node});
+        }
+    }
+    void message_came(ComponentId part, Time time) override {
+        arrivals.push_back({time, part, std::nullopt});
+    }
     void message_consumed(const MessageRecord& record) override { messages.push_back(record); }
     void interval_ended(const StateInterval& interval) override {
         if (keeps_intervals_) {
@@ -39,6 +55,15 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
         ended.push_back({time, std::nullopt, frame});
     }
 
+    void part_interval_ended(const PartInterval& interval) override {
+        part_records.push_back({interval.part, interval});
+    }
+    void message_passed(ComponentId part, const MessageRecord& message) override {
+        part_records.push_back({part, message});
+    }
+
+    std::vector<Arrival> arrivals;
+    std::vector<PartRecord> part_records;
     std::vector<StateInterval> intervals;
     std::vector<MessageRecord> messages;
     std::size_t told = 0;  // of them
@@ -46,13 +71,14 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
 
   private:
     const bool& keeps_intervals_;
+    const std::vector<ComponentId>& component_of_;
 };
 
 RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of,
                            Order order)
     : component_of_(std::move(component_of)), order_(order) {
     for (std::size_t partition = 0; partition < partitions; ++partition) {
-        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_));
+        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_, component_of_));
     }
 }
 
@@ -63,6 +89,10 @@ NodeListener& RecordMerger::for_nodes(std::size_t partition) {
 }
 
 SupervisorListener& RecordMerger::for_supervisor(std::size_t partition) {
+    return *keepers_[partition];
+}
+
+PartListener& RecordMerger::for_parts(std::size_t partition) {
     return *keepers_[partition];
 }
 
@@ -105,31 +135,107 @@ void RecordMerger::sort_messages() {
     }
 }
 
+namespace {
+
+// Moves the records of a keeper that ended before `reached` to those that are due.
+template <class Record, class Ended>
+void move_due(std::vector<Record>& kept, std::deque<Record>& due, Time reached, Ended ended) {
+    const auto later = std::stable_partition(
+        kept.begin(), kept.end(), [&](const Record& record) { return ended(record) < reached; });
+    due.insert(due.end(), kept.begin(), later);
+    kept.erase(kept.begin(), later);
+}
+
+}  // namespace
+
 // By the time at which they end, and by node. What one node tells is in order already.
 void RecordMerger::collect_intervals(Time reached) {
     for (const auto& keeper : keepers_) {
-        const auto later = std::stable_partition(
-            keeper->intervals.begin(), keeper->intervals.end(),
-            [reached](const StateInterval& interval) { return interval.to < reached; });
-        due_.insert(due_.end(), keeper->intervals.begin(), later);
-        keeper->intervals.erase(keeper->intervals.begin(), later);
+        move_due(keeper->intervals, due_, reached,
+                 [](const auto& interval) { return interval.to; });
     }
     std::stable_sort(due_.begin(), due_.end(), [this](const auto& a, const auto& b) {
         return a.to != b.to ? a.to < b.to : component_of_[a.node] < component_of_[b.node];
     });
 }
 
-void RecordMerger::tell_intervals(Time before) {
-    while (!due_.empty() && due_.front().to < before) {
-        for (NodeListener* listener : node_listeners_) {
-            listener->interval_ended(due_.front());
+// Likewise, by part.
+void RecordMerger::collect_part_records(Time reached) {
+    for (const auto& keeper : keepers_) {
+        move_due(keeper->part_records, due_of_parts_, reached,
+                 [](const auto& record) { return record.ended(); });
+    }
+    std::stable_sort(due_of_parts_.begin(), due_of_parts_.end(), [](const auto& a, const auto& b) {
+        return a.ended() != b.ended() ? a.ended() < b.ended() : a.part < b.part;
+    });
+}
+
+// Likewise, by node or part.
+void RecordMerger::collect_arrivals(Time reached) {
+    for (const auto& keeper : keepers_) {
+        move_due(keeper->arrivals, due_arrivals_, reached,
+                 [](const auto& arrival) { return arrival.time; });
+    }
+    std::stable_sort(due_arrivals_.begin(), due_arrivals_.end(), [](const auto& a, const auto& b) {
+        return a.time != b.time ? a.time < b.time : a.component < b.component;
+    });
+}
+
+void RecordMerger::tell(const StateInterval& interval) const {
+    for (NodeListener* listener : node_listeners_) {
+        listener->interval_ended(interval);
+    }
+}
+
+void RecordMerger::tell(const PartRecord& record) const {
+    for (PartListener* listener : part_listeners_) {
+        if (const auto* interval = std::get_if<PartInterval>(&record.what)) {
+            listener->part_interval_ended(*interval);
+        } else {
+            listener->message_passed(record.part, std::get<MessageRecord>(record.what));
         }
-        due_.pop_front();
+    }
+}
+
+void RecordMerger::tell(const Arrival& arrival) const {
+    if (arrival.node) {
+        for (NodeListener* listener : node_listeners_) {
+            listener->message_arrived(*arrival.node, arrival.time);
+        }
+    } else {
+        for (PartListener* listener : part_listeners_) {
+            listener->message_came(arrival.component, arrival.time);
+        }
+    }
+}
+
+// Of several at one time: intervals of nodes, what parts tell, arrivals.
+void RecordMerger::tell_intervals(Time before) {
+    const auto tell_next = [this](auto& due) {
+        tell(due.front());
+        due.pop_front();
+    };
+    while (true) {
+        const Time node = due_.empty() ? Time::never() : due_.front().to;
+        const Time part = due_of_parts_.empty() ? Time::never() : due_of_parts_.front().ended();
+        const Time arrival = due_arrivals_.empty() ? Time::never() : due_arrivals_.front().time;
+        if (std::min({node, part, arrival}) >= before) {
+            return;
+        }
+        if (node <= part && node <= arrival) {
+            tell_next(due_);
+        } else if (part <= arrival) {
+            tell_next(due_of_parts_);
+        } else {
+            tell_next(due_arrivals_);
+        }
     }
 }
 
 void RecordMerger::flush(Time reached) {
     collect_intervals(reached);
+    collect_part_records(reached);
+    collect_arrivals(reached);
     if (order_ == Order::of_events) {
         flush_in_order(reached);
     } else {

@@ -4,11 +4,13 @@
 // real listeners from time to time. Who only counts messages by phase is told them in any order
 // between the ends of phases, which saves most of the work.
 //
-// States of nodes are kept on request, and told by the time at which they end. Taps are not, for a
+// States of nodes and what other parts tell is kept on request, and told by the time at which it
+// ends. Taps are not, for a
 // tap shows a core as it is at that moment. Whoever wants them attaches to the nodes directly,
 // keeps what belongs to different nodes apart, and is told on the threads that run them.
 #pragma once
 
+#include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/supervisor.hpp"
 #include "machine/kernel/event.hpp"
 #include "machine/node/node_listener.hpp"
@@ -17,6 +19,8 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
+#include <variant>
 #include <vector>
 
 namespace rasterloom::observe {
@@ -32,16 +36,18 @@ class RecordMerger {
     RecordMerger(const RecordMerger&) = delete;
     RecordMerger& operator=(const RecordMerger&) = delete;
 
-    // Whether states of nodes are kept: before anything is told.
+    // Has states of nodes, and what parts tell, kept: before anything is told.
     void keep_intervals() { keeps_intervals_ = true; }
 
     // To be attached to the nodes and the supervisor in this partition.
     NodeListener& for_nodes(std::size_t partition);
     SupervisorListener& for_supervisor(std::size_t partition);
+    PartListener& for_parts(std::size_t partition);
 
     // Who is told, in the order in which they come; they must outlive this.
     void forward_to(NodeListener& listener) { node_listeners_.push_back(&listener); }
     void forward_to(SupervisorListener& listener) { supervisor_listeners_.push_back(&listener); }
+    void forward_to(PartListener& listener) { part_listeners_.push_back(&listener); }
 
     // Tells what happened before `reached`. To be called while the machine does not run and has
     // come to that time: a record may lie ahead of it, but none comes later that lies before.
@@ -50,8 +56,25 @@ class RecordMerger {
   private:
     class Keeper;
 
+    struct PartRecord {  // either kind of what a part tells
+        ComponentId part{};
+        std::variant<PartInterval, MessageRecord> what;
+
+        Time ended() const;
+    };
+    struct Arrival {  // of a message at a node, or at a part
+        Time time;
+        ComponentId component{};
+        std::optional<NodeIndex> node;
+    };
+
     void collect_intervals(Time reached);
+    void collect_part_records(Time reached);
+    void collect_arrivals(Time reached);
     void tell_intervals(Time before);
+    void tell(const StateInterval& interval) const;
+    void tell(const PartRecord& record) const;
+    void tell(const Arrival& arrival) const;
     void flush_in_order(Time reached);
     void flush_by_phase(Time reached);
     std::vector<Time> ends_of_phases(Time until) const;
@@ -63,10 +86,14 @@ class RecordMerger {
     std::vector<ComponentId> component_of_;
     Order order_;
     bool keeps_intervals_ = false;
-    std::deque<StateInterval> due_;  // to be told, in order; none between two flushes
+    // To be told, in order; none between two flushes.
+    std::deque<StateInterval> due_;
+    std::deque<PartRecord> due_of_parts_;
+    std::deque<Arrival> due_arrivals_;
     std::vector<std::unique_ptr<Keeper>> keepers_;  // [partition]
     std::vector<NodeListener*> node_listeners_;
     std::vector<SupervisorListener*> supervisor_listeners_;
+    std::vector<PartListener*> part_listeners_;
 };
 
 }  // namespace rasterloom::observe

@@ -84,6 +84,10 @@ TEST_F(Trace, HoldsEveryProcessorsStatesAndEveryMessage) {
     EXPECT_EQ(count(text, " flow_ids: "), 2 * messages);
     // What is begun is ended, and nothing is there that the format does not know.
     EXPECT_EQ(count(text, "type: SLICE_BEGIN"), count(text, "type: SLICE_END"));
+    // All queues are empty in the end; some held several messages.
+    EXPECT_EQ(count(text, "counter {"), outcome.report.nodes.size());
+    EXPECT_GT(count(text, "counter_value: 0\n"), 0U);
+    EXPECT_GT(count(text, "counter_value: 2\n"), 0U);
     EXPECT_EQ(count(text, "\n  1: "), 0U);
 }
 
@@ -104,6 +108,10 @@ TEST_F(Trace, ShowsMachinesWithoutLinks) {
     const std::string text = decoded();
     EXPECT_FALSE(names(text, "links"));
     EXPECT_TRUE(names(text, "P3"));
+    EXPECT_TRUE(names(text, "fabric"));
+    EXPECT_TRUE(names(text, "host"));
+    EXPECT_TRUE(names(text, "bus/0"));
+    EXPECT_TRUE(names(text, "blocked"));
     EXPECT_GT(count(text, "type: INSTANT"), 10U);
 }
 

@@ -47,11 +47,11 @@ TEST(PolygonSource, SendsAtItsPaceAndTheSplitterWorksForEachVertex) {
     EXPECT_EQ(machine.run(), "no failure");
     ASSERT_EQ(machine.messages.size(), 4U);
     const MessageRecord& triangle = machine.messages[0];
-    EXPECT_EQ(triangle.queued, at_ns(16000));
+    EXPECT_EQ(triangle.queued, at_ns(16000 + 1000 + 3 * 600));
     EXPECT_EQ(triangle.started, at_ns(16000 + 1000 + 3 * 600));
     EXPECT_EQ(triangle.delivered, at_ns(16000 + 1000 + 3 * 600 + 1000));
     const MessageRecord& point = machine.messages[1];
-    EXPECT_EQ(point.queued, at_ns(28000));
+    EXPECT_EQ(point.queued, at_ns(28000 + 1000 + 600));
     EXPECT_EQ(point.delivered, at_ns(28000 + 1000 + 600 + 1000));
     // The end of the frame is ready when the point has left, waits until the point's place in the
     // splitter is free and known to be, and takes no work; the low side's processor frees the
@@ -59,7 +59,7 @@ TEST(PolygonSource, SendsAtItsPaceAndTheSplitterWorksForEachVertex) {
     const bool low_first = machine.messages[2].destination == 0;
     const MessageRecord& low = machine.messages[low_first ? 2 : 3];
     const MessageRecord& high = machine.messages[low_first ? 3 : 2];
-    EXPECT_EQ(low.queued, at_ns(28000));
+    EXPECT_EQ(low.queued, at_ns(28000 + 1000 + 600 + 1000 + 1000));
     EXPECT_EQ(low.delivered, at_ns(31000 + 1000 + 1000));
     EXPECT_EQ(high.delivered, at_ns(28000 + 1000 + 600 + 1000 + 1000 + 1000));
     const PolygonSourceStatistics& source = machine.network.source->statistics();

@@ -7,6 +7,7 @@
 #include "tests/node/script_program.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <tuple>
 
@@ -109,6 +110,65 @@ TEST(PolygonNetwork, GivesEveryProcessorItsPartOfEveryPolygonInTheirOrder) {
                 RC_ASSERT(machine.cores[node]->frames.size() == frames.size());
                 RC_ASSERT(machine.cores[node]->frames[frame] == expected[node]);
             }
+        }
+    }));
+}
+
+// Adds up what the parts tell.
+class PartScribe final : public PartListener {
+  public:
+    struct Part {
+        Duration busy;
+        Duration blocked;
+        Time last;
+        int waiting = 0;  // messages
+        int passed = 0;
+        bool in_order = true;
+    };
+
+    void part_interval_ended(const PartInterval& interval) override {
+        Part& part = parts[interval.part];
+        part.in_order &= part.last <= interval.from && interval.from < interval.to;
+        part.last = interval.to;
+        (interval.state == PartState::busy ? part.busy : part.blocked) +=
+            interval.to - interval.from;
+    }
+    void message_came(ComponentId part, Time) override { ++parts[part].waiting; }
+    void message_passed(ComponentId part, const MessageRecord& message) override {
+        Part& told = parts[part];
+        --told.waiting;
+        ++told.passed;
+        told.in_order &= message.started <= message.delivered &&
+                         message.delivered <= message.consumed && message.delivery != kNoCause;
+    }
+
+    std::map<ComponentId, Part> parts;
+};
+
+TEST(PolygonNetwork, TellsListenersOfEachPartWhatItsStatisticsSay) {
+    EXPECT_TRUE(rc::check([] {
+        const PolygonMachineSettings settings = any_machine();
+        PolygonMachine machine(settings, any_frames(settings.frames, settings.size));
+        PartScribe scribe;
+        machine.network.for_each_part([&](auto& part) { part.probe().attach(scribe); });
+        RC_ASSERT(machine.run() == "no failure");
+        for (const auto& [id, part] : scribe.parts) {
+            RC_ASSERT(part.in_order);
+            RC_ASSERT(part.waiting == 0);
+        }
+        const auto told = [&](const Component& part) { return scribe.parts[part.id()]; };
+        const PolygonSourceStatistics& source = machine.network.source->statistics();
+        RC_ASSERT(told(*machine.network.source).busy == source.busy);
+        RC_ASSERT(told(*machine.network.source).blocked == source.blocked);
+        for (const PolygonSplitter* splitter : machine.network.splitters) {
+            RC_ASSERT(told(*splitter).busy == splitter->statistics().busy);
+            RC_ASSERT(told(*splitter).blocked == splitter->statistics().blocked);
+            RC_ASSERT(told(*splitter).passed == splitter->statistics().polygons + settings.frames);
+        }
+        for (const PolygonBus* bus : machine.network.buses) {
+            RC_ASSERT(told(*bus).busy == bus->statistics().busy);
+            RC_ASSERT(told(*bus).blocked == bus->statistics().held);
+            RC_ASSERT(told(*bus).passed == bus->statistics().messages);
         }
     }));
 }

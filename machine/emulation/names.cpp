@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "machine/emulation/names.hpp"
+
+#include <fmt/format.h>
+
+namespace rasterloom::emulation {
+
+namespace {
+
+// Components are named by their path in the machine: "splitter/3" is a splitter.
+observe::ComponentLabel label_by_path(const std::string& path) {
+    const std::size_t slash = path.find('/');
+    return {path.substr(0, slash), slash == std::string::npos ? path : path.substr(slash + 1)};
+}
+
+}  // namespace
+
+std::vector<std::string> names_from_symbols(const isa::Image& image, std::string_view prefix,
+                                            std::uint32_t count) {
+    std::vector<std::string> names(count);
+    for (const auto& [symbol, value] : image.symbols) {
+        if (symbol.starts_with(prefix) && value < count) {
+            names[value] = symbol.substr(prefix.size());
+        }
+    }
+    return names;
+}
+
+observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& machine) {
+    const config::MachineDescription& description = blueprint.description;
+    observe::MachineNames names;
+    names.machine = description.machine.empty() ? "machine" : description.machine;
+    for (const auto& component : machine.simulation().components()) {
+        names.components.push_back(label_by_path(component->name()));
+    }
+    for (const Processor* processor : machine.processors()) {
+        names.nodes.push_back(processor->id());
+    }
+    for (const NetworkLink& wire : machine.links()) {
+        names.links.push_back({wire.link->id(), wire.from, wire.to});
+        names.components[static_cast<std::size_t>(wire.link->id())].name =
+            fmt::format("{} > {}", names.label(names.nodes[wire.from]).name,
+                        names.label(names.nodes[wire.to]).name);
+    }
+    if (machine.fabric() != nullptr) {
+        machine.fabric()->for_each_part(
+            [&](const auto& part) { names.parts.push_back(part.id()); });
+    }
+    names.activities = names_from_symbols(*blueprint.image, "mark_", kActivities);
+    names.phases = names_from_symbols(*blueprint.image, "phase_name_",
+                                      static_cast<std::uint32_t>(machine.phases_per_frame()));
+    if (!machine.links().empty()) {
+        names.link_latency = description.links.latency;
+    }
+    names.cycle = description.nodes.clock.clock().nominal_period();
+    return names;
+}
+
+}  // namespace rasterloom::emulation

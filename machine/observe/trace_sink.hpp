@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Who writes down what a machine does. Every sink is told the same records, in the same order
+// whatever the number of threads: by the time at which they end.
+#pragma once
+
+#include "machine/fabric/part_listener.hpp"
+#include "machine/fabric/supervisor.hpp"
+#include "machine/node/node_listener.hpp"
+
+namespace rasterloom::observe {
+
+class TraceSink : public NodeListener, public SupervisorListener, public PartListener {
+  public:
+    // The machine's last event was at `end`, and everything has been told. Throws OutputError when
+    // not everything could be written.
+    virtual void close(Time end) = 0;
+};
+
+}  // namespace rasterloom::observe
