@@ -6,6 +6,7 @@
 #include "machine/cli/progress_bar.hpp"
 #include "machine/config/error.hpp"
 #include "machine/emulation/run.hpp"
+#include "machine/emulation/traces.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
 #include "machine/observe/appendix_c_files.hpp"
@@ -36,7 +37,7 @@ struct RunCommandOptions {
     std::string out;
     bool compare = false;
     bool bottlenecks = false;
-    std::string trace;
+    std::vector<std::string> traces;
     std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
     bool quiet = false;
@@ -88,7 +89,6 @@ void print_comparison(const emulation::RunOutcome& outcome) {
     }
 }
 
-constexpr const char* kTraceEnding = ".perfetto-trace";
 constexpr const char* kTable = "table";  // --appendix-c without a value
 constexpr const char* kAll = "all";
 
@@ -146,9 +146,11 @@ void run(const RunCommandOptions& options, Session& session) {
         config::refuse({"--compare", 0, 0}, {}, {}, "nothing is drawn without a scene",
                        "a machine with a scene");
     }
-    if (!options.trace.empty() && !options.trace.ends_with(kTraceEnding)) {
-        config::refuse({"--trace", 0, 0}, {}, options.trace, "not a kind of trace",
-                       fmt::format("a name that ends in {}", kTraceEnding));
+    for (const std::string& trace : options.traces) {
+        if (!emulation::kind_of_trace(trace)) {
+            config::refuse({"--trace", 0, 0}, {}, trace, "not a kind of trace",
+                           "a name that ends in .perfetto-trace or .sqlite");
+        }
     }
     std::optional<observe::OutputFolder> folder;
     std::optional<Interruption> interruption;  // ends before the folder does
@@ -159,9 +161,7 @@ void run(const RunCommandOptions& options, Session& session) {
         run_options.messages_csv = folder->file("messages.csv");
     }
     run_options.reference_pictures = options.compare;
-    if (!options.trace.empty()) {
-        run_options.trace = options.trace;
-    }
+    run_options.traces.assign(options.traces.begin(), options.traces.end());
     run_options.bottlenecks = options.bottlenecks;
     run_options.appendix_c = !options.appendix_c.empty();
     run_options.appendix_c_of = asked_for(options.appendix_c);
@@ -213,9 +213,10 @@ void add_run_command(CLI::App& app, Session& session) {
     command->add_flag("--compare", options->compare,
                       "Compare each picture with the reference renderer's");
     command
-        ->add_option("--trace", options->trace,
-                     "Write what every processor and link did and when, for ui.perfetto.dev: "
-                     "NAME.perfetto-trace")
+        ->add_option(
+            "--trace", options->traces,
+            "Write what every part of the machine did and when: NAME.perfetto-trace for "
+            "ui.perfetto.dev, NAME.sqlite for `rasterloom bottlenecks` and SQL; repeatable")
         ->type_name("FILE");
     command->add_flag("--bottlenecks", options->bottlenecks,
                       "Print the critical path of each frame: what made it as long as it is; also "

@@ -49,9 +49,9 @@ observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& m
     names.activities = names_from_symbols(*blueprint.image, "mark_", kActivities);
     names.phases = names_from_symbols(*blueprint.image, "phase_name_",
                                       static_cast<std::uint32_t>(machine.phases_per_frame()));
-    if (!machine.links().empty()) {
-        names.link_latency = description.links.latency;
-    }
+    names.latency = machine.fabric() == nullptr ? description.links.latency
+                    : description.fabric.ideal  ? Duration::tick()
+                                                : description.fabric.latency;
     names.cycle = description.nodes.clock.clock().nominal_period();
     return names;
 }

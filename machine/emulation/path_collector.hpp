@@ -32,6 +32,8 @@ class PathCollector final : public SupervisorListener, public NodeListener {
     // While the machine pauses at the end of a frame.
     void collect();
 
+    observe::CauseLog& causes() { return log_; }
+    const std::vector<observe::CriticalPath>& paths() const { return paths_; }
     std::vector<observe::PathReport> finish(const observe::MachineNames& names,
                                             const std::vector<observe::PhaseReport>& phases) const;
 

@@ -12,7 +12,7 @@
 #include "machine/emulation/report.hpp"
 #include "machine/emulation/slices.hpp"
 #include "machine/emulation/threads.hpp"
-#include "machine/observe/machine_trace.hpp"
+#include "machine/emulation/traces.hpp"
 #include "machine/observe/message_csv.hpp"
 #include "machine/observe/phase_log.hpp"
 
@@ -151,6 +151,17 @@ void tap(std::optional<AppendixCCollector>& collector, const RunOptions& options
     }
 }
 
+bool wants_paths(const RunOptions& options, const Machine& machine) {
+    if (options.bottlenecks && machine.supervisor() == nullptr) {
+        config::refuse({"--bottlenecks", 0, 0}, {}, {}, "a bare processor has no frames",
+                       "a machine with several processors or a scene");
+    }
+    const bool for_trace =
+        std::any_of(options.traces.begin(), options.traces.end(),
+                    [](const auto& path) { return kind_of_trace(path) == TraceKind::sqlite; });
+    return options.bottlenecks || (for_trace && machine.supervisor() != nullptr);
+}
+
 observe::AppendixCReport gather_appendix_c(AppendixCCollector& collector,
                                            const observe::RunReport& report) {
     std::vector<std::string> names;
@@ -182,28 +193,16 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         messages.emplace(*options.messages_csv);
     }
     machine.simulation().use_threads(threads_for(description, machine));
+    std::optional<PathCollector> paths;
+    if (wants_paths(options, machine)) {
+        paths.emplace(machine);
+    }
     const observe::MachineNames names = machine_names(blueprint, machine);
-    std::optional<observe::MachineTrace> trace;
-    if (options.trace) {
-        trace.emplace(*options.trace, names);
-    }
-    std::vector<observe::TraceSink*> traces;
-    if (trace) {
-        traces.push_back(&*trace);
-    }
-    Observers observers(machine, phases, messages ? &*messages : nullptr, traces);
+    Traces traces(options.traces, names, paths ? &paths->causes() : nullptr);
+    Observers observers(machine, phases, messages ? &*messages : nullptr, traces.sinks());
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
-    }
-
-    std::optional<PathCollector> paths;
-    if (options.bottlenecks) {
-        if (machine.supervisor() == nullptr) {
-            config::refuse({"--bottlenecks", 0, 0}, {}, {}, "a bare processor has no frames",
-                           "a machine with several processors or a scene");
-        }
-        paths.emplace(machine);
     }
 
     const auto start = WallClock::now();
@@ -225,12 +224,12 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
 
     outcome.failure = failure_of(result, description, machine);
     outcome.report = gather_report(blueprint, machine, phases, result.time);
-    if (trace && outcome.failure.empty()) {
-        observers.catch_up(Time::never());  // what nodes were at when the run ended
-        trace->close(result.time);
-    }
     if (paths) {
         outcome.report.paths = paths->finish(names, outcome.report.phases);
+    }
+    if (outcome.failure.empty()) {
+        observers.catch_up(Time::never());  // what nodes were at when the run ended
+        traces.close(outcome.report, paths ? paths->paths() : std::vector<observe::CriticalPath>());
     }
     if (appendix_c) {
         outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);

@@ -32,8 +32,8 @@ struct RunOptions {
     // Statistics as in Parks' appendix C; the run takes somewhat longer.
     bool appendix_c = false;
     std::vector<std::string> appendix_c_of;  // processors that somebody will want to see
-    // Where to stream a trace for Perfetto to; none: not written.
-    std::optional<std::filesystem::path> trace;
+    // Where to stream traces to (machine/emulation/traces.hpp), each of a kind that its name tells.
+    std::vector<std::filesystem::path> traces;
     bool bottlenecks = false;  // RunReport::paths; the run takes somewhat longer
     // Called now and then while the machine runs; about ten times a second of wall time.
     std::function<void(const Progress&)> progress;

@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/cause_log.hpp"
 
+#include "machine/node/message.hpp"
+
 #include <algorithm>
 
 namespace rasterloom::observe {
 
+namespace {
+
+// What a part sends when it hands one message on, but for the copies of that.
+constexpr std::uint32_t kSentWithAMessage = 4;
+
+SentEvent::Sort sort_of(const Event& event) {
+    if (event.phase() == EventPhase::work) {
+        return SentEvent::Sort::to_itself;
+    }
+    return event.kind == static_cast<EventKind>(MessageEvent::deliver)
+               ? SentEvent::Sort::delivers_message
+               : SentEvent::Sort::other;
+}
+
+}  // namespace
+
 void CauseLog::sent(const Event& event, Time departure, EventId cause) {
     sent_by_[static_cast<std::size_t>(event.source())].events.push_back(
-        {departure, event.time(), cause});
+        {departure, event.time(), cause, sort_of(event)});
 }
 
 std::optional<SentEvent> CauseLog::find(EventId event) const {
@@ -19,13 +37,88 @@ std::optional<SentEvent> CauseLog::find(EventId event) const {
     return place < sent.events.size() ? std::optional(sent.events[place]) : std::nullopt;
 }
 
+void CauseLog::walk_back(EventId last, Time began,
+                         const std::function<void(const PathStep&)>& visit) const {
+    const auto step = [&](ComponentId component, bool on_wire, Time from, Time to) {
+        from = std::max(from, began);
+        if (from < to) {
+            visit({component, on_wire, from, to});
+        }
+    };
+    std::optional<SentEvent> event = find(last);
+    for (EventId id = last; event && event->arrival > began;) {
+        step(id.source, true, event->departure, event->arrival);
+        const std::optional<SentEvent> cause = find(event->cause);
+        step(id.source, false, cause ? cause->arrival : began, event->departure);
+        id = event->cause;
+        event = cause;
+    }
+}
+
+// What its source handed on, for the same cause, shortly before it set itself this event: it is
+// busy with that until then.
+std::optional<EventId> CauseLog::message_in_hand(EventId event) const {
+    const std::optional<SentEvent> own = find(event);
+    for (std::uint32_t back = 1; back <= kSentWithAMessage; ++back) {
+        const EventId before{event.source, event.sequence - back};
+        const std::optional<SentEvent> sent = find(before);
+        if (!sent || sent->cause != own->cause) {
+            break;
+        }
+        if (sent->sort == SentEvent::Sort::delivers_message) {
+            return before;
+        }
+    }
+    return std::nullopt;
+}
+
+EventId* CauseLog::found_message(EventId event) {
+    Sent& sent = sent_by_[static_cast<std::size_t>(event.source)];
+    if (sent.messages.size() < sent.events.size()) {
+        sent.messages.resize(sent.events.size(), kNoCause);
+    }
+    return &sent.messages[event.sequence - sent.first];
+}
+
+std::optional<EventId> CauseLog::message_behind(EventId event) {
+    std::vector<EventId> walked;
+    EventId found = kNoCause;
+    std::optional<SentEvent> at = find(event);
+    while (at && found == kNoCause) {
+        found = *found_message(event);
+        if (found != kNoCause) {
+            break;
+        }
+        walked.push_back(event);
+        if (at->sort == SentEvent::Sort::to_itself) {
+            found = message_in_hand(event).value_or(kNoCause);
+        }
+        if (found == kNoCause) {
+            event = at->cause;
+            at = find(event);
+            if (at && at->sort == SentEvent::Sort::delivers_message) {
+                found = event;
+            }
+        }
+    }
+    for (const EventId passed : walked) {
+        *found_message(passed) = found;
+    }
+    return found == kNoCause ? std::nullopt : std::optional(found);
+}
+
 void CauseLog::forget_before(Time time) {
     for (Sent& sent : sent_by_) {
         const auto old =
             std::find_if(sent.events.begin(), sent.events.end(),
-                         [&](const SentEvent& event) { return event.arrival >= time; });
-        sent.first += static_cast<std::uint32_t>(old - sent.events.begin());
-        sent.events.erase(sent.events.begin(), old);
+                         [&](const SentEvent& event) { return event.arrival >= time; }) -
+            sent.events.begin();
+        sent.first += static_cast<std::uint32_t>(old);
+        sent.events.erase(sent.events.begin(), sent.events.begin() + old);
+        sent.messages.erase(
+            sent.messages.begin(),
+            sent.messages.begin() +
+                std::min<std::ptrdiff_t>(old, static_cast<std::ptrdiff_t>(sent.messages.size())));
     }
 }
 

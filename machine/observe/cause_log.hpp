@@ -6,15 +6,30 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace rasterloom::observe {
 
 struct SentEvent {
+    enum class Sort : std::uint8_t { other, delivers_message, to_itself };
+
     Time departure;
     Time arrival;
     EventId cause = kNoCause;
+    Sort sort = Sort::other;
+};
+
+// Time that one component took between what made it act and what it sent then, or time on the wire
+// at which it sent that.
+struct PathStep {
+    ComponentId component{};
+    bool on_wire = false;
+    Time from;
+    Time to;
+
+    Duration duration() const { return to - from; }
 };
 
 class CauseLog final : public CauseListener {
@@ -23,11 +38,19 @@ class CauseLog final : public CauseListener {
 
     void sent(const Event& event, Time departure, EventId cause) override;
 
+    // All of the following while the machine stands still.
+
     // Empty for kNoCause and for what has been forgotten.
     std::optional<SentEvent> find(EventId event) const;
+    // The steps that led to the arrival of `last`, back to `began` or as far as is remembered: each
+    // ends where the one before began. Steps of no duration are left out.
+    void walk_back(EventId last, Time began,
+                   const std::function<void(const PathStep&)>& visit) const;
+    // The latest message without which `event` would not have been sent then, by the event that
+    // delivered it: it made somebody act, or somebody was still busy with handing it on.
+    std::optional<EventId> message_behind(EventId event);
     // Forgets what arrived before `time`, as far as nothing sent earlier by the same component has
-    // arrived later: what is left explains everything from `time` on. While the machine stands
-    // still.
+    // arrived later: what is left explains everything from `time` on.
     void forget_before(Time time);
     std::size_t size() const;
 
@@ -36,7 +59,13 @@ class CauseLog final : public CauseListener {
     struct Sent {
         std::uint32_t first = 0;  // sequence of the first that is remembered
         std::vector<SentEvent> events;
+        // What message_behind() has found: kNoCause as long as it has not been asked. Made when
+        // first asked, and shorter than `events` then.
+        std::vector<EventId> messages;
     };
+
+    std::optional<EventId> message_in_hand(EventId event) const;
+    EventId* found_message(EventId event);
 
     std::vector<Sent> sent_by_;  // [component]
 };

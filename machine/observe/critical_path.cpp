@@ -7,35 +7,6 @@
 
 namespace rasterloom::observe {
 
-namespace {
-
-// Walks backwards and keeps what lies after the beginning.
-class Walk {
-  public:
-    explicit Walk(CriticalPath& path) : path_(path) {}
-
-    void step(ComponentId component, bool on_wire, Time from, Time to) {
-        from = std::max(from, path_.began);
-        if (from >= to) {
-            return;
-        }
-        // What one component does in several steps, of itself, is one.
-        if (!path_.steps.empty()) {
-            PathStep& next = path_.steps.back();
-            if (next.component == component && next.on_wire == on_wire && next.from == to) {
-                next.from = from;
-                return;
-            }
-        }
-        path_.steps.push_back({component, on_wire, from, to});
-    }
-
-  private:
-    CriticalPath& path_;
-};
-
-}  // namespace
-
 std::array<Duration, kActivities> activities_within(const PathStep& step,
                                                     const std::vector<StateInterval>& intervals) {
     std::array<Duration, kActivities> times{};
@@ -52,21 +23,25 @@ std::array<Duration, kActivities> activities_within(const PathStep& step,
 }
 
 CriticalPath critical_path(const CauseLog& log, EventId last, Time began) {
-    std::optional<SentEvent> event = log.find(last);
+    const std::optional<SentEvent> event = log.find(last);
     if (!event) {
         throw std::invalid_argument("the last event of the frame is not in the log");
     }
     CriticalPath path;
     path.began = began;
     path.ended = event->arrival;
-    Walk walk(path);
-    for (EventId id = last; event && event->arrival > began;) {
-        walk.step(id.source, true, event->departure, event->arrival);
-        const std::optional<SentEvent> cause = log.find(event->cause);
-        walk.step(id.source, false, cause ? cause->arrival : began, event->departure);
-        id = event->cause;
-        event = cause;
-    }
+    log.walk_back(last, began, [&path](const PathStep& step) {
+        // What one component does in several steps, of itself, is one.
+        if (!path.steps.empty()) {
+            PathStep& next = path.steps.back();
+            if (next.component == step.component && next.on_wire == step.on_wire &&
+                next.from == step.to) {
+                next.from = step.from;
+                return;
+            }
+        }
+        path.steps.push_back(step);
+    });
     std::reverse(path.steps.begin(), path.steps.end());
     return path;
 }

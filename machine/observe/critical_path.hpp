@@ -15,15 +15,6 @@
 
 namespace rasterloom::observe {
 
-struct PathStep {
-    ComponentId component{};  // that took the time, or whose message was on the wire
-    bool on_wire = false;
-    Time from;
-    Time to;
-
-    Duration duration() const { return to - from; }
-};
-
 struct CriticalPath {
     std::int64_t frame = 0;
     Time began;

@@ -32,7 +32,7 @@ struct MachineNames {
     std::vector<ComponentId> parts;          // of a machine that deals out the screen
     std::vector<std::string> activities;     // as MARK names them; may be shorter, entries empty
     std::vector<std::string> phases;         // of a frame; likewise
-    Duration link_latency;                   // time on the wire after a transfer; without links 0
+    Duration latency;                        // of the wires that carry messages
     Duration cycle;                          // of the nodes' clock
 
     const ComponentLabel& label(ComponentId id) const {

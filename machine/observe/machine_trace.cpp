@@ -26,7 +26,7 @@ std::string title(const MachineNames& names) {
                        scale == 1 ? "is" : "are");
 }
 
-const char* name_of(NodeState state) {
+const char* words_for(NodeState state) {
     switch (state) {
         case NodeState::busy:
             return "busy";
@@ -92,7 +92,7 @@ PerfettoFile::Name MachineTrace::name_of(const StateInterval& interval) {
                            interval.activity < names_.activities.size() &&
                            !names_.activities[interval.activity].empty();
         name = file_.name(named ? names_.activities[interval.activity]
-                                : observe::name_of(interval.state));
+                                : words_for(interval.state));
     }
     return name;
 }
@@ -176,7 +176,7 @@ void MachineTrace::message_consumed(const MessageRecord& message) {
     file_.instant(track(names_.nodes[message.source]), name_of(Part::sent, message), message.queued,
                   arrow, false);
     file_.slice(link_track(message), name_of(Part::carried, message), message.started,
-                message.delivered - names_.link_latency, arrow);
+                message.delivered - names_.latency, arrow);
     file_.instant(track(destination), name_of(Part::taken, message), message.consumed, arrow, true);
 }
 
@@ -187,7 +187,7 @@ void MachineTrace::phase_ended(const PhaseRecord& phase) {
         phase.began, phase.ended, {});
 }
 
-void MachineTrace::close(Time /*end*/) {
+void MachineTrace::close(const RunReport& /*report*/) {
     for (Queue& queue : queues_) {
         write_queue(queue);
     }

@@ -6,14 +6,15 @@
 #include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/supervisor.hpp"
 #include "machine/node/node_listener.hpp"
+#include "machine/observe/run_report.hpp"
 
 namespace rasterloom::observe {
 
 class TraceSink : public NodeListener, public SupervisorListener, public PartListener {
   public:
-    // The machine's last event was at `end`, and everything has been told. Throws OutputError when
-    // not everything could be written.
-    virtual void close(Time end) = 0;
+    // The run is over, and everything has been told. Throws OutputError when not everything could
+    // be written.
+    virtual void close(const RunReport& report) = 0;
 };
 
 }  // namespace rasterloom::observe

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The traces of a run: files of either kind, told by the ends of their names.
+#pragma once
+
+#include "machine/observe/cause_log.hpp"
+#include "machine/observe/critical_path.hpp"
+#include "machine/observe/machine_names.hpp"
+#include "machine/observe/machine_trace.hpp"
+#include "machine/observe/run_report.hpp"
+#include "machine/observe/sqlite_trace.hpp"
+#include "machine/observe/trace_sink.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace rasterloom::emulation {
+
+enum class TraceKind : std::uint8_t { perfetto, sqlite };
+
+// "x.perfetto-trace", "x.sqlite"; none for another name.
+std::optional<TraceKind> kind_of_trace(const std::filesystem::path& path);
+
+class Traces {
+  public:
+    // Makes the files, whose names are known to be of a kind. `causes` may be null. Throws
+    // OutputError.
+    Traces(const std::vector<std::filesystem::path>& paths, const observe::MachineNames& names,
+           observe::CauseLog* causes);
+
+    std::vector<observe::TraceSink*> sinks() const;
+    // Completes the files of a run that did not fail. Throws OutputError.
+    void close(const observe::RunReport& report, const std::vector<observe::CriticalPath>& paths);
+
+  private:
+    std::vector<std::unique_ptr<observe::MachineTrace>> perfetto_;
+    std::vector<std::unique_ptr<observe::SqliteTrace>> sqlite_;
+};
+
+}  // namespace rasterloom::emulation
