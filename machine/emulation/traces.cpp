@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/traces.hpp"
 
+#include "machine/observe/machine_trace.hpp"
+#include "machine/observe/sqlite_trace.hpp"
+
 namespace rasterloom::emulation {
 
 std::optional<TraceKind> kind_of_trace(const std::filesystem::path& path) {
@@ -14,19 +17,16 @@ Traces::Traces(const std::vector<std::filesystem::path>& paths, const observe::M
                observe::CauseLog* causes) {
     for (const std::filesystem::path& path : paths) {
         if (kind_of_trace(path) == TraceKind::sqlite) {
-            sqlite_.push_back(std::make_unique<observe::SqliteTrace>(path, names, causes));
+            traces_.push_back(std::make_unique<observe::SqliteTrace>(path, names, causes));
         } else {
-            perfetto_.push_back(std::make_unique<observe::MachineTrace>(path, names));
+            traces_.push_back(std::make_unique<observe::MachineTrace>(path, names));
         }
     }
 }
 
 std::vector<observe::TraceSink*> Traces::sinks() const {
     std::vector<observe::TraceSink*> sinks;
-    for (const auto& trace : perfetto_) {
-        sinks.push_back(trace.get());
-    }
-    for (const auto& trace : sqlite_) {
+    for (const auto& trace : traces_) {
         sinks.push_back(trace.get());
     }
     return sinks;
@@ -34,14 +34,8 @@ std::vector<observe::TraceSink*> Traces::sinks() const {
 
 void Traces::close(const observe::RunReport& report,
                    const std::vector<observe::CriticalPath>& paths) {
-    for (const auto& trace : perfetto_) {
-        trace->close(report);
-    }
-    for (const auto& trace : sqlite_) {
-        for (const observe::CriticalPath& path : paths) {
-            trace->add_path(path);
-        }
-        trace->close(report);
+    for (const auto& trace : traces_) {
+        trace->close(report, paths);
     }
 }
 

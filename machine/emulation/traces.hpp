@@ -5,9 +5,7 @@
 #include "machine/observe/cause_log.hpp"
 #include "machine/observe/critical_path.hpp"
 #include "machine/observe/machine_names.hpp"
-#include "machine/observe/machine_trace.hpp"
 #include "machine/observe/run_report.hpp"
-#include "machine/observe/sqlite_trace.hpp"
 #include "machine/observe/trace_sink.hpp"
 
 #include <filesystem>
@@ -34,8 +32,7 @@ class Traces {
     void close(const observe::RunReport& report, const std::vector<observe::CriticalPath>& paths);
 
   private:
-    std::vector<std::unique_ptr<observe::MachineTrace>> perfetto_;
-    std::vector<std::unique_ptr<observe::SqliteTrace>> sqlite_;
+    std::vector<std::unique_ptr<observe::TraceSink>> traces_;
 };
 
 }  // namespace rasterloom::emulation

@@ -161,7 +161,9 @@ Database Database::open(const std::filesystem::path& path, Access access) {
     const int flags =
         access == Access::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     sqlite3* connection = nullptr;
-    const int code = sqlite3_open_v2(full.c_str(), &connection, flags, nullptr);
+    // One thread at a time uses a database.
+    const int code =
+        sqlite3_open_v2(full.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
     Database database(path, connection);  // to be closed though it did not open
     database.check(code);
     sqlite3_extended_result_codes(connection, 1);

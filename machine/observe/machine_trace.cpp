@@ -91,8 +91,7 @@ PerfettoFile::Name MachineTrace::name_of(const StateInterval& interval) {
         const bool named = interval.state == NodeState::busy &&
                            interval.activity < names_.activities.size() &&
                            !names_.activities[interval.activity].empty();
-        name = file_.name(named ? names_.activities[interval.activity]
-                                : words_for(interval.state));
+        name = file_.name(named ? names_.activities[interval.activity] : words_for(interval.state));
     }
     return name;
 }
@@ -187,7 +186,7 @@ void MachineTrace::phase_ended(const PhaseRecord& phase) {
         phase.began, phase.ended, {});
 }
 
-void MachineTrace::close(const RunReport& /*report*/) {
+void MachineTrace::close(const RunReport& /*report*/, const std::vector<CriticalPath>& /*paths*/) {
     for (Queue& queue : queues_) {
         write_queue(queue);
     }

@@ -28,7 +28,7 @@ class MachineTrace final : public TraceSink {
     void part_interval_ended(const PartInterval& interval) override;
     void message_came(ComponentId part, Time time) override;
     void message_passed(ComponentId part, const MessageRecord& message) override;
-    void close(const RunReport& report) override;
+    void close(const RunReport& report, const std::vector<CriticalPath>& paths) override;
 
     std::int64_t events() const { return file_.events(); }
 

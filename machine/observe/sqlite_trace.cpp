@@ -14,6 +14,9 @@ namespace rasterloom::observe {
 
 namespace {
 
+constexpr std::size_t kStateTable = 0;
+constexpr std::size_t kMessageTable = 1;
+
 // States of parts are numbered after those of nodes.
 constexpr int kPartStates = kNodeStates;
 
@@ -71,16 +74,12 @@ SqliteTrace::SqliteTrace(std::filesystem::path path, MachineNames names, CauseLo
                     kTraceApplication, kTraceFormat));
     database_->execute(kTraceTables);
     write_names();
-    state_ = insert(*database_, "state", 6);
-    message_ = insert(*database_, "message", 14);
-    phase_ = insert(*database_, "phase", 6);
+    rows_.emplace(*database_, std::vector<RowWriter::Table>{{"state", 6}, {"message", 14}});
 }
 
 SqliteTrace::~SqliteTrace() {
     if (database_) {
-        state_.reset();
-        message_.reset();
-        phase_.reset();
+        rows_.reset();
         database_.reset();
         std::error_code ignored;
         std::filesystem::remove(partial_, ignored);
@@ -148,68 +147,70 @@ std::optional<ComponentId> SqliteTrace::explain(const StateInterval& wait) {
 }
 
 void SqliteTrace::interval_ended(const StateInterval& interval) {
-    const ComponentId node = names_.nodes[interval.node];
-    bind_all(*state_, {number(node), static_cast<std::int64_t>(interval.state), interval.activity,
-                       number(interval.from), number(interval.to)});
     const std::optional<ComponentId> because = explain(interval);
-    because ? state_->bind(6, number(*because)) : state_->bind(6, nullptr);
-    state_->run();
+    rows_->add(kStateTable,
+               {number(names_.nodes[interval.node]), static_cast<std::int64_t>(interval.state),
+                interval.activity, number(interval.from), number(interval.to),
+                because ? number(*because) : RowWriter::kNull});
 }
 
 void SqliteTrace::part_interval_ended(const PartInterval& interval) {
-    state_->bind(1, number(interval.part))
-        .bind(2, kPartStates + static_cast<std::int64_t>(interval.state))
-        .bind(3, nullptr)
-        .bind(4, number(interval.from))
-        .bind(5, number(interval.to))
-        .bind(6, nullptr)
-        .run();
+    rows_->add(kStateTable,
+               {number(interval.part), kPartStates + static_cast<std::int64_t>(interval.state),
+                RowWriter::kNull, number(interval.from), number(interval.to), RowWriter::kNull});
 }
 
-void SqliteTrace::write_message(const MessageRecord& message, ComponentId receiver,
-                                Duration latency) {
+void SqliteTrace::write_message(const MessageRecord& message, ComponentId receiver) {
     const ComponentId source =
         message.source < names_.nodes.size() ? names_.nodes[message.source] : names_.parts.front();
-    bind_all(*message_, {key_of(message.delivery), static_cast<std::int64_t>(message.id),
-                         message.kind, message.bytes, message.hops, number(source),
-                         number(message.delivery.source), number(receiver), number(message.queued),
-                         number(message.started), number(message.delivered - latency),
-                         number(message.delivered), number(message.consumed)});
     const std::optional<EventId> parent =
         causes_ != nullptr ? causes_->message_behind(message.delivery) : std::nullopt;
-    parent ? message_->bind(14, key_of(*parent)) : message_->bind(14, nullptr);
-    message_->run();
+    rows_->add(kMessageTable,
+               {key_of(message.delivery), static_cast<std::int64_t>(message.id), message.kind,
+                message.bytes, message.hops, number(source), number(message.delivery.source),
+                number(receiver), number(message.queued), number(message.started),
+                number(message.delivered - names_.latency), number(message.delivered),
+                number(message.consumed), parent ? key_of(*parent) : RowWriter::kNull});
 }
 
 void SqliteTrace::message_consumed(const MessageRecord& message) {
-    write_message(message, names_.nodes[message.destination], names_.latency);
+    write_message(message, names_.nodes[message.destination]);
 }
 
 void SqliteTrace::message_passed(ComponentId part, const MessageRecord& message) {
-    write_message(message, part, names_.latency);
+    write_message(message, part);
 }
 
 void SqliteTrace::phase_ended(const PhaseRecord& phase) {
-    const std::string name = names_.phase_name(phase.phase);
-    phase_->bind(1, phase.number)
-        .bind(2, std::int64_t{phase.frame})
-        .bind(3, std::int64_t{phase.phase})
-        .bind(4, std::string_view(name))
-        .bind(5, number(phase.began))
-        .bind(6, number(phase.ended))
-        .run();
+    phases_.push_back(phase);
 }
 
-void SqliteTrace::add_path(const CriticalPath& path) {
+void SqliteTrace::write_phases() {
+    Statement statement = insert(*database_, "phase", 6);
+    for (const PhaseRecord& phase : phases_) {
+        const std::string name = names_.phase_name(phase.phase);
+        statement.bind(1, phase.number)
+            .bind(2, std::int64_t{phase.frame})
+            .bind(3, std::int64_t{phase.phase})
+            .bind(4, std::string_view(name))
+            .bind(5, number(phase.began))
+            .bind(6, number(phase.ended))
+            .run();
+    }
+}
+
+void SqliteTrace::write_paths(const std::vector<CriticalPath>& paths) {
     Statement frame = insert(*database_, "path", 3);
-    bind_all(frame, {path.frame, number(path.began), number(path.ended)});
-    frame.run();
     Statement statement = insert(*database_, "path_step", 6);
-    std::int64_t count = 0;
-    for (const PathStep& step : path.steps) {
-        bind_all(statement, {path.frame, count++, number(step.component), step.on_wire ? 1 : 0,
-                             number(step.from), number(step.to)});
-        statement.run();
+    for (const CriticalPath& path : paths) {
+        bind_all(frame, {path.frame, number(path.began), number(path.ended)});
+        frame.run();
+        std::int64_t count = 0;
+        for (const PathStep& step : path.steps) {
+            bind_all(statement, {path.frame, count++, number(step.component), step.on_wire ? 1 : 0,
+                                 number(step.from), number(step.to)});
+            statement.run();
+        }
     }
 }
 
@@ -231,7 +232,10 @@ void SqliteTrace::write_blame() {
     }
 }
 
-void SqliteTrace::close(const RunReport& report) {
+void SqliteTrace::close(const RunReport& report, const std::vector<CriticalPath>& paths) {
+    rows_->finish();
+    write_phases();
+    write_paths(paths);
     for (const PathReport& path : report.paths) {
         Statement statement = insert(*database_, "path_activity", 3);
         for (const PathReport::ActivityShare& part : path.activities) {
@@ -243,9 +247,7 @@ void SqliteTrace::close(const RunReport& report) {
     write_summaries(report);
     database_->execute(kTraceIndices);
     database_->execute("COMMIT; ANALYZE");
-    state_.reset();
-    message_.reset();
-    phase_.reset();
+    rows_.reset();
     database_.reset();
     std::error_code error;
     std::filesystem::rename(partial_, path_, error);

@@ -10,6 +10,7 @@
 #include "machine/observe/critical_path.hpp"
 #include "machine/observe/database.hpp"
 #include "machine/observe/machine_names.hpp"
+#include "machine/observe/row_writer.hpp"
 #include "machine/observe/run_report.hpp"
 #include "machine/observe/trace_sink.hpp"
 
@@ -36,8 +37,7 @@ class SqliteTrace final : public TraceSink {
     void part_interval_ended(const PartInterval& interval) override;
     void message_passed(ComponentId part, const MessageRecord& message) override;
 
-    void add_path(const CriticalPath& path);
-    void close(const RunReport& report) override;
+    void close(const RunReport& report, const std::vector<CriticalPath>& paths) override;
 
   private:
     // What processors waited for: one component, or the wire behind it.
@@ -48,8 +48,10 @@ class SqliteTrace final : public TraceSink {
     using Blames = std::array<std::array<Blame, kNodeStates>, 2>;  // [on wire][state]
 
     void write_names();
-    void write_message(const MessageRecord& message, ComponentId receiver, Duration latency);
+    void write_message(const MessageRecord& message, ComponentId receiver);
     std::optional<ComponentId> explain(const StateInterval& wait);
+    void write_phases();
+    void write_paths(const std::vector<CriticalPath>& paths);
     void write_blame();
     void write_summaries(const RunReport& report);
     static void write_node(Statement& summary, Statement& phases, std::int64_t component,
@@ -62,9 +64,8 @@ class SqliteTrace final : public TraceSink {
     CauseLog* causes_;
     std::vector<Blames> blame_;  // [component]
     std::optional<Database> database_;
-    std::optional<Statement> state_;
-    std::optional<Statement> message_;
-    std::optional<Statement> phase_;
+    std::optional<RowWriter> rows_;  // of the tables that grow while the machine runs
+    std::vector<PhaseRecord> phases_;
 };
 
 }  // namespace rasterloom::observe

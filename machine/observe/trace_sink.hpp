@@ -6,15 +6,18 @@
 #include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/supervisor.hpp"
 #include "machine/node/node_listener.hpp"
+#include "machine/observe/critical_path.hpp"
 #include "machine/observe/run_report.hpp"
+
+#include <vector>
 
 namespace rasterloom::observe {
 
 class TraceSink : public NodeListener, public SupervisorListener, public PartListener {
   public:
-    // The run is over, and everything has been told. Throws OutputError when not everything could
-    // be written.
-    virtual void close(const RunReport& report) = 0;
+    // The run is over, and everything has been told; `paths` of all frames, where they are known.
+    // Throws OutputError when not everything could be written.
+    virtual void close(const RunReport& report, const std::vector<CriticalPath>& paths) = 0;
 };
 
 }  // namespace rasterloom::observe
