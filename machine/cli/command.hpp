@@ -23,6 +23,7 @@ struct Session {
 };
 
 void add_run_command(CLI::App& app, Session& session);
+void add_bottlenecks_command(CLI::App& app, Session& session);
 void add_describe_command(CLI::App& app, Session& session);
 void add_sweep_command(CLI::App& app, Session& session);
 void add_assemble_command(CLI::App& app, Session& session);

@@ -27,6 +27,8 @@ constexpr const char* kFooter =
     "      (the first frame is turned by 180 degrees already)\n"
     "  rasterloom describe configs/geodesic482.yaml\n"
     "  rasterloom run configs/geodesic482.yaml --bottlenecks\n"
+    "  rasterloom run configs/geodesic482.yaml --trace teapot.sqlite\n"
+    "  rasterloom bottlenecks teapot.sqlite\n"
     "  rasterloom whatif configs/geodesic482.yaml --vary nodes.clock=x0.5,x2 --vary "
     "links.latency=x10\n"
     "      (what the frame time is made of, and what would change it)\n"
@@ -51,6 +53,7 @@ void set_up(CLI::App& app, Session& session) {
         ->type_name("DIR");
     add_run_command(app, session);
     add_describe_command(app, session);
+    add_bottlenecks_command(app, session);
     add_sweep_command(app, session);
     add_assemble_command(app, session);
     add_what_if_command(app, session);

@@ -12,7 +12,6 @@
 #include "machine/observe/appendix_c_files.hpp"
 #include "machine/observe/appendix_c_text.hpp"
 #include "machine/observe/output_folder.hpp"
-#include "machine/observe/path_summary.hpp"
 #include "machine/observe/statistics_files.hpp"
 #include "machine/observe/summary.hpp"
 
@@ -130,7 +129,7 @@ void print_outcome(const RunCommandOptions& options, const emulation::RunOutcome
         }
     }
     if (options.bottlenecks) {
-        fmt::print("\n{}", observe::bottlenecks_text(outcome.report));
+        fmt::print("\n{}", observe::bottlenecks_text(*outcome.bottlenecks));
     }
     if (outcome.appendix_c) {
         print_appendix_c(options, *outcome.appendix_c);

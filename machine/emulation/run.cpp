@@ -152,14 +152,14 @@ void tap(std::optional<AppendixCCollector>& collector, const RunOptions& options
 }
 
 bool wants_paths(const RunOptions& options, const Machine& machine) {
-    if (options.bottlenecks && machine.supervisor() == nullptr) {
+    if ((options.paths || options.bottlenecks) && machine.supervisor() == nullptr) {
         config::refuse({"--bottlenecks", 0, 0}, {}, {}, "a bare processor has no frames",
                        "a machine with several processors or a scene");
     }
     const bool for_trace =
         std::any_of(options.traces.begin(), options.traces.end(),
                     [](const auto& path) { return kind_of_trace(path) == TraceKind::sqlite; });
-    return options.bottlenecks || (for_trace && machine.supervisor() != nullptr);
+    return options.paths || options.bottlenecks || (for_trace && machine.supervisor() != nullptr);
 }
 
 observe::AppendixCReport gather_appendix_c(AppendixCCollector& collector,
@@ -198,7 +198,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         paths.emplace(machine);
     }
     const observe::MachineNames names = machine_names(blueprint, machine);
-    Traces traces(options.traces, names, paths ? &paths->causes() : nullptr);
+    Traces traces(options.traces, names, paths ? &paths->causes() : nullptr, options.bottlenecks);
     Observers observers(machine, phases, messages ? &*messages : nullptr, traces.sinks());
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
@@ -230,6 +230,9 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     if (outcome.failure.empty()) {
         observers.catch_up(Time::never());  // what nodes were at when the run ended
         traces.close(outcome.report, paths ? paths->paths() : std::vector<observe::CriticalPath>());
+        if (options.bottlenecks) {
+            outcome.bottlenecks = traces.search();
+        }
     }
     if (appendix_c) {
         outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);

@@ -6,6 +6,7 @@
 #include "machine/host/picture.hpp"
 #include "machine/kernel/failure.hpp"
 #include "machine/observe/appendix_c.hpp"
+#include "machine/observe/bottlenecks.hpp"
 #include "machine/observe/run_report.hpp"
 
 #include <filesystem>
@@ -34,7 +35,8 @@ struct RunOptions {
     std::vector<std::string> appendix_c_of;  // processors that somebody will want to see
     // Where to stream traces to (machine/emulation/traces.hpp), each of a kind that its name tells.
     std::vector<std::filesystem::path> traces;
-    bool bottlenecks = false;  // RunReport::paths; the run takes somewhat longer
+    bool paths = false;        // RunReport::paths; the run takes somewhat longer
+    bool bottlenecks = false;  // RunOutcome::bottlenecks, and paths; takes up to twice as long
     // Called now and then while the machine runs; about ten times a second of wall time.
     std::function<void(const Progress&)> progress;
 };
@@ -46,6 +48,7 @@ struct RunOutcome {
     std::vector<host::Picture> pictures;                 // one a frame
     std::vector<host::Picture> references;               // likewise, if asked for
     std::optional<observe::AppendixCReport> appendix_c;  // if asked for
+    std::optional<observe::Bottlenecks> bottlenecks;     // if asked for
     int background = 0;                                  // grey level
     std::string remarks;                                 // on how the object was prepared
     double wall_seconds = 0;  // of the run itself, building and loading not counted

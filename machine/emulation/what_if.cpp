@@ -134,7 +134,7 @@ WhatIfReport what_if(const MachineDescription& base, const std::vector<WhatIf>& 
                      std::size_t workers, const std::function<void(std::size_t)>& progress) {
     WhatIfReport report;
     RunOptions options;
-    options.bottlenecks = true;
+    options.paths = true;
     RunOutcome unchanged = run_machine(base, options);
     report.failure = unchanged.failure;
     if (!report.failure.empty()) {

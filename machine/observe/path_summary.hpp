@@ -17,7 +17,4 @@ inline constexpr const char* kWire = "wire";  // the kind of a latency; its name
 PathReport summarize(const CriticalPath& path, const std::vector<PhaseReport>& phases,
                      const MachineNames& names);
 
-// A page for a person; `report.paths` is not empty.
-std::string bottlenecks_text(const RunReport& report);
-
 }  // namespace rasterloom::observe

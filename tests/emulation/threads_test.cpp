@@ -76,7 +76,7 @@ Written run(config::MachineDescription description, std::int64_t threads, bool w
     if (watched) {
         options.progress = [](const Progress&) {};
     }
-    options.bottlenecks = description.scene.has_value();
+    options.paths = description.scene.has_value();
     const RunOutcome outcome = run_machine(description, options);
     expect_whole_paths(outcome.report);
     Written written{outcome.failure,
