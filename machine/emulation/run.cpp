@@ -8,6 +8,7 @@
 #include "machine/emulation/names.hpp"
 #include "machine/emulation/observers.hpp"
 #include "machine/emulation/path_collector.hpp"
+#include "machine/emulation/path_lines.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/report.hpp"
 #include "machine/emulation/slices.hpp"
@@ -226,6 +227,12 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     outcome.report = gather_report(blueprint, machine, phases, result.time);
     if (paths) {
         outcome.report.paths = paths->finish(names, outcome.report.phases);
+        if (options.bottlenecks && outcome.failure.empty()) {
+            const auto lines = lines_on_paths(blueprint, job.get(), machine, paths->paths());
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                outcome.report.paths[i].lines = lines[i];
+            }
+        }
     }
     if (outcome.failure.empty()) {
         observers.catch_up(Time::never());  // what nodes were at when the run ended

@@ -74,6 +74,12 @@ struct PathReport {
         int activity = 0;  // that MARK named
         Duration time;
     };
+    struct LineShare {     // of the programs' source
+        std::string file;  // seen from the program's folder
+        int line = 0;
+        std::int64_t instructions = 0;
+        Duration time;
+    };
     struct PhaseShare {
         std::int64_t phase = 0;  // of the frame
         std::string kind;
@@ -90,6 +96,7 @@ struct PathReport {
     // What the programs were at while processors executed on the path; what is missing to the
     // nodes' time is spent on the way to the next edge of a clock.
     std::vector<ActivityShare> activities;  // in the order of activities
+    std::vector<LineShare> lines;           // likewise; largest first; empty unless looked for
 };
 
 struct RunReport {

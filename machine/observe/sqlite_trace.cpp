@@ -236,7 +236,16 @@ void SqliteTrace::close(const RunReport& report, const std::vector<CriticalPath>
     rows_->finish();
     write_phases();
     write_paths(paths);
+    Statement line = insert(*database_, "path_line", 5);
     for (const PathReport& path : report.paths) {
+        for (const PathReport::LineShare& part : path.lines) {
+            line.bind(1, path.frame)
+                .bind(2, std::string_view(part.file))
+                .bind(3, std::int64_t{part.line})
+                .bind(4, part.instructions)
+                .bind(5, number(part.time))
+                .run();
+        }
         Statement statement = insert(*database_, "path_activity", 3);
         for (const PathReport::ActivityShare& part : path.activities) {
             bind_all(statement, {path.frame, part.activity, number(part.time)});

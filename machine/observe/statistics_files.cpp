@@ -169,6 +169,13 @@ Json paths_json(const RunReport& report) {
                               {"kind", part.kind},
                               {"time_ps", part.time.picoseconds()}});
         }
+        Json lines = Json::array();
+        for (const PathReport::LineShare& part : path.lines) {
+            lines.push_back({{"file", part.file},
+                             {"line", part.line},
+                             {"instructions", part.instructions},
+                             {"time_ps", part.time.picoseconds()}});
+        }
         Json activities = Json::array();
         for (const PathReport::ActivityShare& part : path.activities) {
             activities.push_back({{"activity", part.activity},
@@ -181,6 +188,7 @@ Json paths_json(const RunReport& report) {
                         {"kinds", shares_json(path.kinds)},
                         {"phases", std::move(phases)},
                         {"activities", std::move(activities)},
+                        {"lines", std::move(lines)},
                         {"components", shares_json(path.components)}});
     }
     return json;
