@@ -5,8 +5,8 @@
 #include "machine/cli/interruption.hpp"
 #include "machine/cli/progress_bar.hpp"
 #include "machine/config/error.hpp"
+#include "machine/config/units.hpp"
 #include "machine/emulation/run.hpp"
-#include "machine/emulation/traces.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
 #include "machine/observe/appendix_c_files.hpp"
@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct RunCommandOptions {
     bool compare = false;
     bool bottlenecks = false;
     std::vector<std::string> traces;
+    std::string trace_window;
+    std::vector<std::string> trace_of;
     std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
     bool quiet = false;
@@ -139,28 +142,59 @@ void print_outcome(const RunCommandOptions& options, const emulation::RunOutcome
     }
 }
 
+// "10ms..20ms"; either end may be left out.
+void set_window(const std::string& text, emulation::TraceOptions& traces) {
+    const std::size_t dots = text.find("..");
+    try {
+        if (dots == std::string::npos) {
+            throw std::invalid_argument("no window of time");
+        }
+        if (const std::string from = text.substr(0, dots); !from.empty()) {
+            traces.from = Time::zero() + config::parse_duration(from);
+        }
+        if (const std::string to = text.substr(dots + 2); !to.empty()) {
+            traces.to = Time::zero() + config::parse_duration(to);
+        }
+        if (traces.from >= traces.to) {
+            throw std::invalid_argument("an empty window");
+        }
+    } catch (const std::invalid_argument& error) {
+        config::refuse({"--trace-window", 0, 0}, {}, text, error.what(), "FROM..TO, as 10ms..20ms");
+    }
+}
+
+emulation::TraceOptions trace_options(const RunCommandOptions& options) {
+    emulation::TraceOptions traces;
+    for (const std::string& trace : options.traces) {
+        if (!emulation::kind_of_trace(trace)) {
+            config::refuse({"--trace", 0, 0}, {}, trace, "not a kind of trace",
+                           "a name that ends in .perfetto-trace or .sqlite");
+        }
+        traces.paths.emplace_back(trace);
+    }
+    if (!options.trace_window.empty()) {
+        set_window(options.trace_window, traces);
+    }
+    traces.components = options.trace_of;
+    return traces;
+}
+
 void run(const RunCommandOptions& options, Session& session) {
     const config::MachineDescription machine = load(options.config, session);
     if (options.compare && !machine.scene) {
         config::refuse({"--compare", 0, 0}, {}, {}, "nothing is drawn without a scene",
                        "a machine with a scene");
     }
-    for (const std::string& trace : options.traces) {
-        if (!emulation::kind_of_trace(trace)) {
-            config::refuse({"--trace", 0, 0}, {}, trace, "not a kind of trace",
-                           "a name that ends in .perfetto-trace or .sqlite");
-        }
-    }
+    emulation::RunOptions run_options;
+    run_options.traces = trace_options(options);
     std::optional<observe::OutputFolder> folder;
     std::optional<Interruption> interruption;  // ends before the folder does
-    emulation::RunOptions run_options;
     if (!options.no_files) {
         interruption.emplace([&] { folder.emplace(output_folder(options)); },
                              [&folder] { folder->abandon(); });
         run_options.messages_csv = folder->file("messages.csv");
     }
     run_options.reference_pictures = options.compare;
-    run_options.traces.assign(options.traces.begin(), options.traces.end());
     run_options.bottlenecks = options.bottlenecks;
     run_options.appendix_c = !options.appendix_c.empty();
     run_options.appendix_c_of = asked_for(options.appendix_c);
@@ -216,10 +250,21 @@ void add_run_command(CLI::App& app, Session& session) {
             "--trace", options->traces,
             "Write what every part of the machine did and when: NAME.perfetto-trace for "
             "ui.perfetto.dev, NAME.sqlite for `rasterloom bottlenecks` and SQL; repeatable")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--trace-window", options->trace_window,
+                     "Trace only what happens in this machine time: 10ms..20ms")
+        ->type_name("FROM..TO");
+    command
+        ->add_option("--trace-of", options->trace_of,
+                     "Trace only these processors, links and parts, and their messages")
+        ->delimiter(',')
+        ->type_name("NAME,...")
+        ->allow_extra_args(false);
     command->add_flag("--bottlenecks", options->bottlenecks,
-                      "Print the critical path of each frame: what made it as long as it is; also "
-                      "in statistics.json");
+                      "Print what limits the machine: the critical path of each frame down to the "
+                      "program's lines (also in statistics.json), load, who waited for whom");
     command->add_flag(
         "--appendix-c{table}", options->appendix_c,
         "Statistics of every processor as in Parks' appendix C: a table, appendix-c.json and "

@@ -13,7 +13,6 @@
 #include "machine/emulation/report.hpp"
 #include "machine/emulation/slices.hpp"
 #include "machine/emulation/threads.hpp"
-#include "machine/emulation/traces.hpp"
 #include "machine/observe/message_csv.hpp"
 #include "machine/observe/phase_log.hpp"
 
@@ -158,7 +157,7 @@ bool wants_paths(const RunOptions& options, const Machine& machine) {
                        "a machine with several processors or a scene");
     }
     const bool for_trace =
-        std::any_of(options.traces.begin(), options.traces.end(),
+        std::any_of(options.traces.paths.begin(), options.traces.paths.end(),
                     [](const auto& path) { return kind_of_trace(path) == TraceKind::sqlite; });
     return options.paths || options.bottlenecks || (for_trace && machine.supervisor() != nullptr);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "machine/config/description.hpp"
+#include "machine/emulation/traces.hpp"
 #include "machine/host/picture.hpp"
 #include "machine/kernel/failure.hpp"
 #include "machine/observe/appendix_c.hpp"
@@ -33,8 +34,7 @@ struct RunOptions {
     // Statistics as in Parks' appendix C; the run takes somewhat longer.
     bool appendix_c = false;
     std::vector<std::string> appendix_c_of;  // processors that somebody will want to see
-    // Where to stream traces to (machine/emulation/traces.hpp), each of a kind that its name tells.
-    std::vector<std::filesystem::path> traces;
+    TraceOptions traces;
     bool paths = false;        // RunReport::paths; the run takes somewhat longer
     bool bottlenecks = false;  // RunOutcome::bottlenecks, and paths; takes up to twice as long
     // Called now and then while the machine runs; about ten times a second of wall time.

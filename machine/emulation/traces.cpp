@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/traces.hpp"
 
+#include "machine/config/error.hpp"
 #include "machine/observe/machine_trace.hpp"
 #include "machine/observe/output_folder.hpp"
 #include "machine/observe/sqlite_trace.hpp"
 
 #include <cstdlib>
+#include <map>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace rasterloom::emulation {
 
@@ -28,16 +31,43 @@ std::filesystem::path make_temporary_folder() {
     return name;
 }
 
+std::vector<ComponentId> components_of(const TraceOptions& options,
+                                       const observe::MachineNames& names) {
+    std::map<std::string, ComponentId> by_name;
+    std::vector<std::string> all;
+    for (std::size_t id = 0; id < names.components.size(); ++id) {
+        const observe::ComponentLabel& label = names.components[id];
+        by_name.emplace(label.name, static_cast<ComponentId>(id));
+        by_name.emplace(label.kind + "/" + label.name, static_cast<ComponentId>(id));
+    }
+    std::vector<ComponentId> components;
+    for (const std::string& name : options.components) {
+        const auto found = by_name.find(name);
+        if (found == by_name.end()) {
+            for (const auto& [known, id] : by_name) {
+                all.push_back(known);
+            }
+            config::refuse({"--trace-of", 0, 0}, {}, name, "no such part of the machine",
+                           "names as `rasterloom describe` shows them, a link's as \"A > B\"",
+                           config::nearest_name(name, all));
+        }
+        components.push_back(found->second);
+    }
+    return components;
+}
+
 }  // namespace
 
-Traces::Traces(const std::vector<std::filesystem::path>& paths, const observe::MachineNames& names,
+Traces::Traces(const TraceOptions& options, const observe::MachineNames& names,
                observe::CauseLog* causes, bool to_be_searched) {
-    for (const std::filesystem::path& path : paths) {
-        add(path, names, causes);
+    const observe::TraceWindow window{options.from, options.to, components_of(options, names)};
+    for (const std::filesystem::path& path : options.paths) {
+        add(path, window, names, causes);
     }
-    if (to_be_searched && sqlite_.empty()) {
+    if (to_be_searched) {
         temporary_folder_ = make_temporary_folder();
-        add(temporary_folder_ / "trace.sqlite", names, causes);
+        searched_ = temporary_folder_ / "trace.sqlite";
+        add(searched_, {}, names, causes);
     }
 }
 
@@ -49,14 +79,16 @@ Traces::~Traces() {
     }
 }
 
-void Traces::add(const std::filesystem::path& path, const observe::MachineNames& names,
-                 observe::CauseLog* causes) {
+void Traces::add(const std::filesystem::path& path, const observe::TraceWindow& window,
+                 const observe::MachineNames& names, observe::CauseLog* causes) {
+    std::unique_ptr<observe::TraceSink> sink;
     if (kind_of_trace(path) == TraceKind::sqlite) {
-        traces_.push_back(std::make_unique<observe::SqliteTrace>(path, names, causes));
-        sqlite_ = path;
+        sink = std::make_unique<observe::SqliteTrace>(path, names, causes);
     } else {
-        traces_.push_back(std::make_unique<observe::MachineTrace>(path, names));
+        sink = std::make_unique<observe::MachineTrace>(path, names);
     }
+    traces_.push_back(std::make_unique<observe::TraceFilter>(std::move(sink), window, names.nodes,
+                                                             names.components.size()));
 }
 
 std::vector<observe::TraceSink*> Traces::sinks() const {

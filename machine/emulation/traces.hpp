@@ -7,11 +7,13 @@
 #include "machine/observe/critical_path.hpp"
 #include "machine/observe/machine_names.hpp"
 #include "machine/observe/run_report.hpp"
+#include "machine/observe/trace_filter.hpp"
 #include "machine/observe/trace_sink.hpp"
 
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rasterloom::emulation {
@@ -21,12 +23,19 @@ enum class TraceKind : std::uint8_t { perfetto, sqlite };
 // "x.perfetto-trace", "x.sqlite"; none for another name.
 std::optional<TraceKind> kind_of_trace(const std::filesystem::path& path);
 
+struct TraceOptions {
+    std::vector<std::filesystem::path> paths;  // each of a kind
+    Time from = Time::zero();                  // a window of time
+    Time to = Time::never();
+    std::vector<std::string> components;  // by name, with or without their kind; empty: all
+};
+
 class Traces {
   public:
-    // Makes the files, whose names are known to be of a kind. `causes` may be null. When the trace
-    // is `to_be_searched` and none of them is of SQLite's, there is one more, which goes when this
-    // does. Throws OutputError.
-    Traces(const std::vector<std::filesystem::path>& paths, const observe::MachineNames& names,
+    // Makes the files. `causes` may be null. When a trace is `to_be_searched`, there is one more,
+    // of everything, which goes when this does. Throws OutputError, and ConfigError for a name that
+    // no component has.
+    Traces(const TraceOptions& options, const observe::MachineNames& names,
            observe::CauseLog* causes, bool to_be_searched);
     Traces(const Traces&) = delete;
     Traces& operator=(const Traces&) = delete;
@@ -36,14 +45,14 @@ class Traces {
     // Completes the files of a run that did not fail. Throws OutputError.
     void close(const observe::RunReport& report, const std::vector<observe::CriticalPath>& paths);
     // What the closed trace tells.
-    observe::Bottlenecks search() const { return observe::find_bottlenecks(sqlite_); }
+    observe::Bottlenecks search() const { return observe::find_bottlenecks(searched_); }
 
   private:
-    void add(const std::filesystem::path& path, const observe::MachineNames& names,
-             observe::CauseLog* causes);
+    void add(const std::filesystem::path& path, const observe::TraceWindow& window,
+             const observe::MachineNames& names, observe::CauseLog* causes);
 
     std::filesystem::path temporary_folder_;  // empty: none
-    std::filesystem::path sqlite_;            // one of the files
+    std::filesystem::path searched_;          // in it
     std::vector<std::unique_ptr<observe::TraceSink>> traces_;
 };
 

@@ -135,7 +135,7 @@ PerfettoFile::Name MachineTrace::name_of(Part part, const MessageRecord& message
 }
 
 // What comes and goes at one time is not seen.
-void MachineTrace::change_queue(ComponentId component, Time time, int change) {
+void MachineTrace::queue_changed(ComponentId component, Time time, int change) {
     Queue& queue = queues_[static_cast<std::size_t>(component)];
     if (time > queue.since) {
         write_queue(queue);
@@ -151,21 +151,8 @@ void MachineTrace::write_queue(Queue& queue) {
     }
 }
 
-void MachineTrace::message_arrived(NodeIndex node, Time time) {
-    change_queue(names_.nodes[node], time, 1);
-}
-
-void MachineTrace::message_came(ComponentId part, Time time) {
-    change_queue(part, time, 1);
-}
-
-void MachineTrace::message_passed(ComponentId part, const MessageRecord& message) {
-    change_queue(part, message.consumed, -1);
-}
-
 void MachineTrace::message_consumed(const MessageRecord& message) {
     const ComponentId destination = names_.nodes[message.destination];
-    change_queue(destination, message.consumed, -1);
     if (names_.links.empty()) {
         file_.instant(track(destination), name_of(Part::taken, message), message.consumed, {},
                       false);

@@ -22,12 +22,10 @@ class MachineTrace final : public TraceSink {
     MachineTrace(const std::filesystem::path& path, MachineNames names);
 
     void interval_ended(const StateInterval& interval) override;
-    void message_arrived(NodeIndex node, Time time) override;
     void message_consumed(const MessageRecord& message) override;
     void phase_ended(const PhaseRecord& phase) override;
     void part_interval_ended(const PartInterval& interval) override;
-    void message_came(ComponentId part, Time time) override;
-    void message_passed(ComponentId part, const MessageRecord& message) override;
+    void queue_changed(ComponentId component, Time time, int change) override;
     void close(const RunReport& report, const std::vector<CriticalPath>& paths) override;
 
     std::int64_t events() const { return file_.events(); }
@@ -53,7 +51,6 @@ class MachineTrace final : public TraceSink {
     PerfettoFile::Track link_track(const MessageRecord& message);
     PerfettoFile::Name name_of(Part part, const MessageRecord& message);
     PerfettoFile::Name name_of(const StateInterval& interval);
-    void change_queue(ComponentId component, Time time, int change);
     void write_queue(Queue& queue);
 
     MachineNames names_;

@@ -28,7 +28,7 @@ class Trace : public testing::Test {
     RunOutcome run(config::MachineDescription description, std::int64_t threads = 1) const {
         description.run.threads = threads;
         RunOptions options;
-        options.traces = {file_};
+        options.traces.paths = {file_};
         return run_machine(description, options);
     }
     std::string bytes() const {
@@ -123,14 +123,14 @@ TEST_F(Trace, OfARunThatFailsLeavesNoFile) {
 
 TEST_F(Trace, ThatCannotBeWrittenIsRefused) {
     RunOptions options;
-    options.traces = {file_ / "below" / "a-file.perfetto-trace"};
+    options.traces.paths = {file_ / "below" / "a-file.perfetto-trace"};
     EXPECT_THROW(run_machine(small_geodesic(), options), observe::OutputError);
 }
 
 TEST_F(Trace, ThatDoesNotFitOnTheDiskIsRefused) {
     RunOptions options;
     std::filesystem::create_symlink("/dev/full", file_.string() + ".partial");
-    options.traces = {file_};
+    options.traces.paths = {file_};
     EXPECT_THROW(run_machine(small_geodesic(), options), observe::OutputError);
     EXPECT_FALSE(std::filesystem::exists(file_));
 }
