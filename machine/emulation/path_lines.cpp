@@ -38,9 +38,9 @@ class LineMeter final : public NodeListener {
 
     void tapped(const Tap& tap) override {
         if (last_) {
-            book(tap.cycles - last_->cycles);
+            book(tap.cycles - last_->cycles, tap.time);
         }
-        last_ = Last{tap.address, tap.cycles, tap.time};
+        last_ = Last{tap.address, tap.cycles};
     }
     const std::vector<Window>& windows() const { return windows_; }
     const Counts& counts(std::size_t window) const { return counts_[window]; }
@@ -49,21 +49,18 @@ class LineMeter final : public NodeListener {
     struct Last {
         std::uint32_t address;
         std::int64_t cycles;
-        Time time;
     };
 
-    // The last instruction has taken so many cycles; stalls are none.
-    void book(std::int64_t cycles) {
-        const Cycles began = clock_.edge_at_or_before(last_->time);
-        const Time end = clock_.edge(began + Cycles(cycles));
-        while (next_ < windows_.size() && windows_[next_].to <= last_->time) {
+    // The last instruction took so many cycles until `end`. If it stalled, it did so before.
+    void book(std::int64_t cycles, Time end) {
+        const Time began = clock_.edge(Cycles(clock_.edge_at_or_before(end).count() - cycles));
+        while (next_ < windows_.size() && windows_[next_].to <= began) {
             ++next_;
         }
         bool counted = false;
         for (std::size_t i = next_; i < windows_.size() && windows_[i].from < end; ++i) {
             Executed& executed = counts_[i][last_->address];
-            executed.time +=
-                std::min(end, windows_[i].to) - std::max(last_->time, windows_[i].from);
+            executed.time += std::min(end, windows_[i].to) - std::max(began, windows_[i].from);
             executed.instructions += std::exchange(counted, true) ? 0 : 1;
         }
     }

@@ -92,7 +92,7 @@ class Component {
     // Calls handle() at `time`, now or later, with an event in phase work.
     void wake_at(Time time, EventKind kind, std::uint64_t payload = 0) {
         const Event event{own_key(time), sequence_++, kind, PortIndex{}, payload};
-        tell_cause(event, scheduler_->now());
+        tell_cause(event, time);  // until then the component is at work, not a wire
         scheduler_->push(event);
     }
 

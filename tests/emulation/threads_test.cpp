@@ -22,7 +22,7 @@ namespace {
 struct Written {
     std::string failure;
     std::vector<host::Picture> pictures;
-    std::string statistics, nodes, links, messages;
+    std::string statistics, nodes, links, messages, trace;
 };
 
 std::string contents(const std::filesystem::path& path) {
@@ -76,6 +76,9 @@ Written run(config::MachineDescription description, std::int64_t threads, bool w
     if (watched) {
         options.progress = [](const Progress&) {};
     }
+    std::filesystem::path trace = file;
+    trace.replace_extension(".sqlite");
+    options.traces.paths = {trace};
     options.paths = description.scene.has_value();
     const RunOutcome outcome = run_machine(description, options);
     expect_whole_paths(outcome.report);
@@ -84,7 +87,9 @@ Written run(config::MachineDescription description, std::int64_t threads, bool w
                     observe::statistics_json(outcome.report),
                     observe::nodes_csv(outcome.report),
                     observe::links_csv(outcome.report),
-                    contents(file)};
+                    contents(file),
+                    contents(trace)};
+    std::filesystem::remove(trace);
     std::filesystem::remove(file);
     return written;
 }
@@ -96,6 +101,7 @@ void expect_same(const Written& found, const Written& expected, const std::strin
     EXPECT_TRUE(found.nodes == expected.nodes) << what << ": nodes.csv";
     EXPECT_TRUE(found.links == expected.links) << what << ": links.csv";
     EXPECT_TRUE(found.messages == expected.messages) << what << ": messages.csv";
+    EXPECT_TRUE(found.trace == expected.trace) << what << ": trace";
 }
 
 std::vector<std::string> shipped_names() {

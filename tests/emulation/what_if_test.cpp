@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -59,6 +60,26 @@ TEST(WhatIf, PredictsABusThatBecomesTheBottleneckFromTheTimeItTakesAlready) {
     EXPECT_GT(change_of(report, slow), 1.5);
     EXPECT_NEAR(static_cast<double>(slower.picoseconds()) / static_cast<double>(slow.picoseconds()),
                 2, 0.2);
+}
+
+// Parts that are at work, not on a wire, while their time passes.
+TEST(WhatIf, PredictsASlowHostAndASlowSplitter) {
+    for (const auto& [slow, key, slower] :
+         {std::tuple("host.time_per_polygon=20ms", "host.time_per_polygon", "40ms"),
+          std::tuple("fabric.splitter.time_per_vertex=9ms", "fabric.splitter.time_per_vertex",
+                     "18ms")}) {
+        const WhatIfReport report =
+            what_if(with("splitter4.yaml", slow),
+                    {{key, with("splitter4.yaml", std::string(key) + "=" + slower)}}, 1,
+                    [](std::size_t) {});
+        ASSERT_EQ(report.failure, "");
+        const WhatIfResult& result = report.results.at(0);
+        ASSERT_TRUE(result.predicted.has_value());
+        EXPECT_GT(change_of(report, result.frame_time), 1.7) << key;
+        EXPECT_NEAR(change_of(report, *result.predicted), change_of(report, result.frame_time),
+                    0.05)
+            << key;
+    }
 }
 
 TEST(WhatIf, HasNoPredictionForWhatGovernsNoTime) {
