@@ -42,7 +42,7 @@ def by_profile(emulator):
     rows = []
     for name, full, skip in PROGRAMS:
         for machine in PROFILED:
-            found, processors = appendix_c(emulator, machine, *program(full, skip, scene__object="runway"))
+            found, processors = profile(emulator, machine, full, skip)
             errors = [100 * float(row["formula_error"]) for row in processors if int(row["scene_u"]) > 0]
             rows.append([name, machine, *(against(found["own_costs_u"][item], THESIS[item]) for item in THESIS), found["scene_u"],
                          f"{100 * found['formula_error']:+.1f}", f"{min(errors):+.1f} to {max(errors):+.1f}"])
@@ -50,13 +50,16 @@ def by_profile(emulator):
           rows)
 
 
+def profile(emulator, machine, full, skip, **values):
+    """Appendix C of the runway scene: of all processors together, and a row a processor."""
+    return appendix_c(emulator, machine, *program(full, skip, scene__object="runway", **values))
+
+
 def by_pixel(emulator):
     rows = []
     for name, full, skip in PROGRAMS:
         for autoincrement in (1, 0):
-            found, _ = appendix_c(emulator, "uniprocessor",
-                                  *program(full, skip, scene__object="runway", nodes__cost__autoincrement=autoincrement))
-            costs_of_pixels = found["pixel_costs_u"]
+            costs_of_pixels = profile(emulator, "uniprocessor", full, skip, nodes__cost__autoincrement=autoincrement)[0]["pixel_costs_u"]
             rows.append([name, autoincrement, *(f"{costs_of_pixels[kind]:.2f}" for kind in ("drawn", "hidden", "run"))])
     rows += [["thesis' listing", 1, 21, 17, "-"], ["thesis' listing", 0, 19, 15, "-"]]
     table(["program", "an auto-increment costs", "a pixel drawn", "hidden", "a run of pixels"], rows)

@@ -52,15 +52,16 @@ def splitter(emulator, arguments):
                     "time a vertex", "times the ideal machine's")
 
 
+def order_ratio(emulator, machine, name):
+    """Frame time with the polygons in an order over the ideal machine's."""
+    return close_up(emulator, machine, *setting(host__order=name)) / close_up(emulator, machine, *IDEAL)
+
+
 def order(emulator, arguments):
     orders = ("mesh", "sorted", "shuffled")
-    rows = []
-    bars = {}
-    for machine in MACHINES:
-        ideal = close_up(emulator, machine, *IDEAL)
-        bars[machine] = [close_up(emulator, machine, *setting(host__order=name)) / ideal for name in orders]
-        rows.append([machine, *(f"{ratio:.3f}" for ratio in bars[machine])])
-    table(["frame time over the ideal machine's; polygons in order", *orders], rows)
+    bars = {machine: [order_ratio(emulator, machine, name) for name in orders] for machine in MACHINES}
+    table(["frame time over the ideal machine's; polygons in order", *orders],
+          [[machine, *(f"{ratio:.3f}" for ratio in ratios)] for machine, ratios in bars.items()])
     if arguments.plots:
         def draw(axes):
             for i, name in enumerate(orders):
@@ -70,30 +71,42 @@ def order(emulator, arguments):
                     "machine", "times the ideal machine's")
 
 
+def bus_ratio(emulator, machine, time):
+    """Frame time with all pixels over one bus, so long a pixel, over that with local frame buffers."""
+    return close_up(emulator, machine, *setting(fabric__frame_buffer="bus", fabric__frame_buffer_bus__time_per_pixel=time)) / close_up(
+        emulator, machine)
+
+
 def bus(emulator, _arguments):
     """The frame-buffer bus, which the thesis takes as free."""
-    rows = []
-    for machine in ("uniprocessor", "splitter16", "interlace16", "interlace64"):
-        local = close_up(emulator, machine)
-        rows.append([machine, f"{local / 1e6:.3f}",
-                     *(f"{close_up(emulator, machine, *setting(fabric__frame_buffer='bus', fabric__frame_buffer_bus__time_per_pixel=time)) / local:.2f}"
-                       for time in ("50ns", "100ns", "300ns", "1us"))])
-    table(["machine", "local frame buffers, millions of cycles", *(f"times as long over a bus, {time} a pixel" for time in
-                                                              ("50ns", "100ns", "300ns", "1us"))], rows)
+    times = ("50ns", "100ns", "300ns", "1us")
+    table(["machine", "local frame buffers, millions of cycles", *(f"times as long over a bus, {time} a pixel" for time in times)],
+          [[machine, f"{close_up(emulator, machine) / 1e6:.3f}", *(f"{bus_ratio(emulator, machine, time):.2f}" for time in times)]
+           for machine in ("uniprocessor", "splitter16", "interlace16", "interlace64")])
+
+
+VARIED = {"15": ("runway", 1, 0), "18": ("airport", 6, 2)}  # figure: scene, frames, frame
+
+
+def variant_changes(emulator, machine, figure):
+    """Cycles of a frame, and by how much per cent skipping divisions and half-digested broadcast change them."""
+    scene, frames, frame = VARIED[figure]
+
+    def cycles(*settings):
+        return frame_cycles(emulator, machine, *scene_arguments(scene, frames), *settings)[frame]
+
+    plain = cycles()
+    return plain, *(100 * (cycles(*changed) / plain - 1) for changed in (setting(nodes__symbols="{skip_deltas: 1}"),
+                                                                         setting(fabric__half_digested="true")))
 
 
 def variants(emulator, _arguments):
     """The thesis' further research: half-digested broadcast, and no delta divisions that nobody needs."""
     rows = []
     for machine in ("interlace4", "interlace16", "interlace64", "interlace256"):
-        for scene, frames, frame in (("runway", 1, 0), ("airport", 6, 2)):  # figures 15 and 18
-            def cycles(*settings):
-                return frame_cycles(emulator, machine, *scene_arguments(scene, frames), *settings)[frame]
-            plain = cycles()
-            skipping = cycles(*setting(nodes__symbols="{skip_deltas: 1}"))
-            digested = cycles(*setting(fabric__half_digested="true"))
-            rows.append([machine, "15" if scene == "runway" else "18", f"{plain / 1e6:.3f}", f"{100 * (skipping / plain - 1):+.1f}",
-                         f"{100 * (digested / plain - 1):+.1f}"])
+        for figure in VARIED:
+            plain, skipping, digested = variant_changes(emulator, machine, figure)
+            rows.append([machine, figure, f"{plain / 1e6:.3f}", f"{skipping:+.1f}", f"{digested:+.1f}"])
     table(["machine", "figure", "millions of cycles", "skipping divisions, %", "half-digested broadcast, %"], rows)
 
 

@@ -37,19 +37,22 @@ def least_in_bold(cycles):
     return ", ".join(f"**{c / 1e6:.3f}**" if c == min(cycles) else f"{c / 1e6:.3f}" for c in cycles)
 
 
+def overhead_of(emulator, machine, scene, frames):
+    """Of the slowest processor of every frame: per cent of polygon and vertex time, by the thesis' formula and emulated."""
+    counted, emulated = [], []
+    for frame in appendix_c(emulator, machine, *scene_arguments(scene, frames), *IDEAL):
+        slowest = max(frame.values(), key=lambda node: node["formula_u"])
+        counted.append(100 * (139 * slowest["polygons"] + 319.3 * slowest["vertices"]) / slowest["formula_u"])
+        slowest = max(frame.values(), key=lambda node: node["scene_u"])
+        emulated.append(100 * (slowest["cycles_u"]["polygon"] + slowest["cycles_u"]["vertex"]) / slowest["scene_u"])
+    return counted, emulated
+
+
 def overhead(emulator, _arguments):
     """Of the slowest interlace processor: polygon and vertex time, by the thesis' formula and emulated."""
-    rows = []
-    for size in SIZES:
-        for scene, frames in SCENES:
-            counted, emulated = [], []
-            for frame in appendix_c(emulator, f"interlace{size}", *scene_arguments(scene, frames), *IDEAL):
-                slowest = max(frame.values(), key=lambda node: node["formula_u"])
-                counted.append(100 * (139 * slowest["polygons"] + 319.3 * slowest["vertices"]) / slowest["formula_u"])
-                slowest = max(frame.values(), key=lambda node: node["scene_u"])
-                emulated.append(100 * (slowest["cycles_u"]["polygon"] + slowest["cycles_u"]["vertex"]) / slowest["scene_u"])
-            rows.append([size, scene, " ".join(f"{share:.0f}" for share in counted), " ".join(f"{share:.0f}" for share in emulated)])
-    table(["interlace of", "scene", "polygon and vertex time by the formula, %, a frame", "emulated, %"], rows)
+    table(["interlace of", "scene", "polygon and vertex time by the formula, %, a frame", "emulated, %"],
+          [[size, scene, *(" ".join(f"{share:.0f}" for share in found) for found in overhead_of(emulator, f"interlace{size}", scene, frames))]
+           for size in SIZES for scene, frames in SCENES])
 
 
 def greatest_change(values, width):

@@ -13,58 +13,41 @@ import json
 import os
 import re
 import subprocess
-import sys
 import tempfile
-from collections import Counter
 from pathlib import Path
 
-from measuring import ROOT, plot_figure, print_tables, setting, table
+from geodesic_measures import CONFIG, PHASES, compared, drawing, frame_of, graph_of, rotation
+from measuring import ROOT, EmulatorError, plot_figure, print_tables, setting, table
 
 MODELS = ["beethoven.ply", "bunny.obj", "shuttle.obj"]
-
-
-def phase(statistics, name, frame=None):
-    found = [p for p in statistics["phases"] if p["name"] == name and frame in (None, p["frame"])]
-    return found[-1]
 
 
 def graph(emulator, _arguments):
     rows = []
     for b, c in ((1, 0), (1, 1), (2, 1), (3, 2), (5, 0), (4, 4), (8, 8), (20, 20)):
-        described = emulator.text("describe", "configs/geodesic482.yaml", *setting(topology__b=b, topology__c=c))
-        rows.append([f"({b}, {c})", *(re.search(rf"^{name} +(.*)$", described, re.MULTILINE).group(1)
-                                      for name in ("Nodes", "Edges", "Distances", "Planar"))])
-    table(["(b, c)", "nodes", "edges", "distances", "planar"], rows)
-    print(emulator.text("describe", "configs/geodesic482.yaml", "--node", "P31-123"))
+        found = graph_of(emulator, b, c)
+        degrees = ", ".join(str(found["degrees"].get(degree, 0)) for degree in (5, 6))
+        rows.append([f"({b}, {c})", found["nodes"], degrees, *(found[key] for key in ("edges", "diameter", "radius", "mean", "planar"))])
+    table(["(b, c)", "nodes", "of degree 5, 6", "edges", "diameter", "radius", "mean distance", "planar"], rows)
+    print(emulator.text("describe", CONFIG, "--node", "P31-123"))
 
 
 PUBLISHED_ROTATIONS = {6: (1, 2), 30: (3, 5), 180: (20, 26)}
+PUBLISHED_DRAWINGS = {"sphere": (9, 10), "cube": (3, 5)}
 
 
 def rounds(emulator, arguments):
     curves = {}
     rows = []
-
-    def add(what, routing, part, published, *arguments_of_run):
-        records = {}
-        statistics, _ = emulator.run("geodesic482-rounds", *arguments_of_run, *setting(scene__routing=routing),
-                                     records=records)
-        found = phase(statistics, part)
-        synchronous = found["synchronous"]
-        curves[f"{what}, {routing}"] = synchronous["utilisation"]
-        longest, expected = published if routing == "small_circle" else ("-", "-")
-        kind = "1" if part == "rotate" else "5"
-        senders = Counter(int(row["source"]) for row in records["messages"] if row["kind"] == kind)
-        busiest, sent = senders.most_common(1)[0]
-        rows.append([what, routing.replace("_", "-"), found["longest_route_hops"], longest, synchronous["rounds"], expected,
-                     f"{records['nodes'][busiest]['name']} ({sent})", shares(synchronous["utilisation"])])
-
     for routing in ("small_circle", "great_circle"):
-        for degrees, published in PUBLISHED_ROTATIONS.items():
-            add(f"rotate the sphere by {degrees} degrees", routing, "rotate", published,
-                *setting(scene__object="sphere", scene__rotate__start=degrees))
-        for name, published in (("sphere", (9, 10)), ("cube", (3, 5))):
-            add(f"draw the {name}", routing, "transfer", published, *setting(scene__object=name))
+        found = {f"rotate the sphere by {degrees} degrees": (rotation(emulator, degrees, routing), published)
+                 for degrees, published in PUBLISHED_ROTATIONS.items()}
+        found |= {f"draw the {name}": (drawing(emulator, name, routing), published) for name, published in PUBLISHED_DRAWINGS.items()}
+        for what, (numbers, published) in found.items():
+            curves[f"{what}, {routing}"] = numbers["utilisation"]
+            longest, expected = published if routing == "small_circle" else ("-", "-")
+            rows.append([what, routing.replace("_", "-"), numbers["longest"], longest, numbers["rounds"], expected,
+                         f"{numbers['busiest']} ({numbers['busiest_messages']})", shares(numbers["utilisation"])])
     table(["what", "routing", "longest route", "published", "rounds", "published", "busiest sender (messages)",
            "processors that send, % a round"], rows)
     if arguments.plots:
@@ -95,16 +78,11 @@ THESIS_FRAME = {"rotate": 66, "points": 1096, "assemble": "in Ci", "transfer": 8
 
 def frame(emulator, _arguments):
     rows = []
-    for name, scale in (("sphere", 0.8), ("teapot", 0.9)):  # a sphere of 0.8 covers about half of the screen
+    for name, scale in (("sphere", 0.8), ("teapot", 0.9)):
         for move in (0, 1):
             for u in ("1us", "5us"):
-                statistics, _ = emulator.run(
-                    "geodesic482", "--frames", "2",
-                    *setting(scene__object=name, scene__scale=scale, scene__rotate__degrees=6, nodes__clock=u, links__time_per_byte=u,
-                             supervisor__latency=u, nodes__cost__move=move, nodes__cost__branch=move))
-                second = statistics["frames"][-1]
-                phases = [phase(statistics, part, frame=1)["duration_u"] for part in THESIS_FRAME]
-                rows.append([name, u, move, *phases, second["duration_u"], f"{1e12 / second['duration_ps']:.2f}"])
+                found = frame_of(emulator, name, scale, move, u)
+                rows.append([name, u, move, *(found[part] for part in PHASES), found["frame"], f"{1e12 / found['picoseconds']:.2f}"])
     rows.append(["thesis' estimate", "5us", 0, *THESIS_FRAME.values(), 5642, f"{1e6 / (5642 * 5):.1f}"])
     table(["object", "u", "move, branch", *(f"{part} (u)" for part in THESIS_FRAME), "frame (u)", "frames/s"], rows)
 
@@ -126,12 +104,6 @@ def pictures(emulator, arguments):
                 rows.append([name, f"({b}, {c})", degrees * (frames - 1), *compared(summary)])
     table(["object", "(b, c)", "turned by, degrees", "pixels within 2 grey levels, %", "of the object's pixels, %",
            "greatest difference"], rows)
-
-
-def compared(summary):
-    """Shares and greatest difference of the last frame."""
-    return re.findall(r"^Frame \d+ +([0-9.]+) % of all pixels and ([0-9.]+) % of .*; greatest difference (\d+)$", summary,
-                      re.MULTILINE)[-1]
 
 
 def emulated_in(summary):
@@ -173,7 +145,7 @@ def measured(emulator, *arguments):
                                  cwd=ROOT)
         _, status, usage = os.wait4(child.pid, 0)
         if status != 0:
-            sys.exit(f"results.py: {' '.join(arguments)} failed")
+            raise EmulatorError(f"{' '.join(arguments)} failed")
         statistics = json.loads((out / "statistics.json").read_text())
     return statistics, usage.ru_utime + usage.ru_stime, usage.ru_maxrss
 
