@@ -7,8 +7,7 @@
     reproduced          the measured value lies within the tolerance of the published one
     differs             it does not; `because` says why
 
-The verdict follows from the numbers alone; `because` is only text. Whatever is said about an error of the paper is said of its numbers, too:
-`implied` is compared with the same tolerance.
+The verdict follows from the numbers alone; `because` is only text.
 """
 
 from dataclasses import dataclass
@@ -46,7 +45,8 @@ EXACT = Tolerance()
 @dataclass(frozen=True)
 class Claim:
     """`published` is a number, a text, or a range (low, high) of which one end may be None. `measure` gets a CachedEmulator and returns a number
-    or a text. `implied` is what other numbers of the paper give for the same thing: a value or a range; `implied_by` says which numbers."""
+    or a text. `implied` is what other numbers of the paper give for the same thing, a value or a range; `implied_by` says which numbers, `slack`
+    how far they may be off (else `tolerance`). `because` explains a difference, `note` is shown whatever the verdict."""
 
     source: str
     what: str
@@ -57,6 +57,8 @@ class Claim:
     because: str = ""
     implied: Any = None
     implied_by: str = ""
+    slack: Tolerance | None = None
+    note: str = ""
 
 
 @dataclass(frozen=True)
@@ -70,9 +72,10 @@ class Finding:
 def contradicts_itself(claim):
     if claim.implied is None:
         return False
+    slack = claim.slack or claim.tolerance
     if isinstance(claim.implied, tuple):
-        return not claim.tolerance.accepts(claim.published, claim.implied)
-    return not claim.tolerance.accepts(claim.implied, claim.published)
+        return not slack.accepts(claim.published, claim.implied)
+    return not slack.accepts(claim.implied, claim.published)
 
 
 def verdict_on(claim, measured):
@@ -84,10 +87,10 @@ def verdict_on(claim, measured):
 
 
 def reason(claim, verdict):
-    parts = []
+    parts = [claim.note] if claim.note else []
     if verdict == INCONSISTENT:
         parts.append(f"{claim.implied_by}: {shown(claim.implied)}.")
-    if claim.because:
+    if claim.because and verdict != REPRODUCED:
         parts.append(claim.because)
     elif verdict == DIFFERS:
         parts.append("Unexplained.")

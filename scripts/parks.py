@@ -20,5 +20,6 @@ from parks_speed import speed
 from parks_winners import WINNERS_TABLES
 
 if __name__ == "__main__":
-    print_tables(__doc__, {"costs": costs, "figure15": figure15, "figures": figures, **IMPLIED_TABLES, "formula": formula, **WINNERS_TABLES, **FABRIC_TABLES,
+    print_tables(__doc__, {"costs": costs, "figure15": figure15, "figures": figures, **IMPLIED_TABLES, "formula": formula, **WINNERS_TABLES,
+                           **FABRIC_TABLES,
                            "pictures": pictures, "speed": speed})

@@ -20,6 +20,15 @@ def on_ideal_fabric(emulator, machine, *arguments):
     return frame_cycles(emulator, machine, *arguments, *IDEAL)
 
 
+def winner_of(emulator, figure, size=16, ideal=True, formula=True):
+    """"s" if the splitter takes less time for a figure of the thesis than the interlace, "i" if not."""
+    scene, frame = next(place for place, name in FIGURES.items() if name == figure)
+    arguments = scene_arguments(scene, dict(SCENES)[scene])
+    cycles_of = by_formula if formula else on_ideal_fabric if ideal else frame_cycles
+    times = {kind: cycles_of(emulator, f"{kind}{size}", *arguments)[frame] for kind in ("splitter", "interlace")}
+    return "s" if times["splitter"] < times["interlace"] else "i"
+
+
 def winners(emulator, _arguments):
     for title, cycles_of in (("real fabric", frame_cycles), ("ideal fabric", on_ideal_fabric),
                              ("by the thesis' formula, which leaves the fabric out", by_formula)):
