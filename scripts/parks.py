@@ -6,7 +6,8 @@
         | pictures | speed | all
         [--rasterloom build/release/rasterloom] [--models ../shared/models] [--plots DIR]
 
-Each table runs `rasterloom` on the shipped configurations; nothing is computed here but ratios and fits. Tables of a kind share a file, parks_<kind>.py.
+Each table runs `rasterloom` on the shipped configurations; nothing is computed here but ratios and fits. Tables of a kind
+share a file, parks_<kind>.py.
 """
 
 from measuring import print_tables
