@@ -103,9 +103,10 @@ def main(words=None):
         parts.append(pages.Picture(options.plots / name, title))
     if options.csv:
         write_csv(options.csv, rows)
-    for path, write in ((options.html, pages.html), (options.markdown, pages.markdown)):
-        if path:
-            path.write_text(write(title, parts))
+    if options.html:
+        options.html.write_text(pages.html(title, parts))
+    if options.markdown:
+        options.markdown.write_text(pages.markdown(title, parts, options.markdown.parent))
     sys.exit(1 if any(row.error for row in rows) else 0)
 
 

@@ -98,7 +98,7 @@ def row_of(emulator, path, settings, scene, options, first):
         machine = describe(emulator, path, settings)
         first = first or machine
         if options.same == "processors" and machine.processors != first.processors:
-            raise EmulatorError(f"has {machine.processors} processors, {first.path.stem} has {first.processors}")
+            raise EmulatorError(f"processors: {machine.processors}, {first.path.stem} has {first.processors}")
         if options.same == "clock":
             settings += same_clock(machine, first)
         row.figures = measure(emulator, machine, [*settings, "--frames", str(options.frames)], options.runs)

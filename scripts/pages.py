@@ -2,6 +2,7 @@
 """Tables as Markdown and as one self-contained HTML page. A page is a list of paragraphs (str), pictures and tables."""
 
 import base64
+import os
 from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
@@ -35,20 +36,21 @@ class Picture:
     text: str
 
 
-def markdown(title, parts):
+def markdown(title, parts, folder="."):
+    """`folder` is where the page will stand: pictures are named from there."""
     lines = [f"# {title}", ""]
     for part in parts:
-        lines += [*_markdown_part(part), ""]
+        lines += [*_markdown_part(part, folder), ""]
     return "\n".join(lines)
 
 
-def _markdown_part(part):
+def _markdown_part(part, folder):
     if isinstance(part, Heading):
         return ["#" * part.level + " " + part.text]
     if isinstance(part, Table):
         return [_row(part.head), "|" + "---|" * len(part.head), *map(_row, part.rows)]
     if isinstance(part, Picture):
-        return [f"![{part.text}]({part.path})"]
+        return [f"![{part.text}]({os.path.relpath(part.path, folder)})"]
     return [part]
 
 

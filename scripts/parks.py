@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Measures what docs/results.md reports about Parks' machines and prints it as Markdown tables.
 
-    scripts/parks.py costs | figure15 | figures | implied | nearby | formula | winners | overhead | swing | depth | splitter | order | bus | variants
-        | pictures | speed | all
+    scripts/parks.py costs | figure15 | figures | implied | nearby | blocks | formula | winners | overhead | swing | depth | splitter | order | bus
+        | variants | pictures | speed | all
         [--rasterloom build/release/rasterloom] [--models ../shared/models] [--plots DIR]
 
 Each table runs `rasterloom` on the shipped configurations; nothing is computed here but ratios and fits. Tables of a kind

@@ -10,7 +10,7 @@ repeated, the sum of their cycles is not less."""
 
 from measuring import table
 from parks_figures import NUMBERED, slowest_by_formula
-from parks_machines import IDEAL, PUBLISHED, appendix_c, scene_arguments
+from parks_machines import FIGURES, IDEAL, PUBLISHED, SCENES, appendix_c, scene_arguments
 
 # machine: (whose processor's work so many of it share)
 SHARED = {"interlace4": [("uniprocessor", 4)], "splitter4": [("uniprocessor", 4)], "interlace16": [("interlace4", 4), ("uniprocessor", 16)],
@@ -67,16 +67,29 @@ BETWEEN = 24  # frames between two figures along the approach
 
 
 def nearby(emulator, _arguments):
-    """The slowest processor by the formula a little off the frames that stand for figures 17, 18 and 20."""
+    """The slowest processor by the formula a little off the frames that stand for figures 17 and 18."""
     frames = 5 * BETWEEN + 1
     machines = list(PUBLISHED)
     along = {machine: [max(node["formula_u"] for node in frame.values()) / 1e6
                        for frame in appendix_c(emulator, machine, *scene_arguments("airport", frames), *IDEAL)] for machine in machines}
     rows = []
-    for figure, at in (("17", (0, 2, 3, 4, 24)), ("18", (46, 47, 48, 49, 50)), ("20", (94, 95, 96, 97, 98))):
+    for figure, at in (("17", (0, 2, 3, 4, 24)), ("18", (46, 47, 48, 49, 50))):
         rows.append([figure, "published", *(published(machine, figure) or "-" for machine in machines)])
         rows += [[figure, f"here, at {place} of {5 * BETWEEN}", *(f"{along[machine][place]:.3f}" for machine in machines)] for place in at]
     table(["figure", "place on the approach", *machines], rows)
 
 
-IMPLIED_TABLES = {"implied": implied, "nearby": nearby}
+def blocks(emulator, _arguments):
+    """The two slowest processors of splitter16 by the formula: how many of a scene's polygons each block of the screen has."""
+    rows = []
+    for figure in NUMBERED:
+        scene, frame = next(place for place, name in FIGURES.items() if name == figure)
+        nodes = appendix_c(emulator, "splitter16", *scene_arguments(scene, dict(SCENES)[scene]), *IDEAL)[frame]
+        slowest = sorted(nodes.items(), key=lambda item: -item[1]["formula_u"])[:2]
+        rows.append([figure, slowest_by_formula(emulator, "uniprocessor")[figure]["polygons"], published("splitter16", figure),
+                     *(f"{name}: {node['formula_u'] / 1e6:.3f}, {node['polygons']} polygons" for name, node in slowest),
+                     f"{sum(node['formula_u'] for _, node in slowest) / 2e6:.3f}"])
+    table(["figure", "polygons", "splitter16: published, millions of cycles", "slowest here", "second", "their mean"], rows)
+
+
+IMPLIED_TABLES = {"implied": implied, "nearby": nearby, "blocks": blocks}

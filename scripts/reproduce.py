@@ -21,7 +21,7 @@ from measuring import ROOT, CachedEmulator
 HEAD = ["where", "what", "published", "emulated", "unit", "tolerance", "verdict", "why"]
 CLASSES = {REPRODUCED: "good", DIFFERS: "bad", INCONSISTENT: "odd", NOT_EMULATED: "none", FAILED: "bad"}
 INTRODUCTION = [
-    "Written by `scripts/reproduce.py --out docs`; every row comes from a run of `rasterloom`. The verdict is computed: \"reproduced\" if the "
+    "Written by `scripts/reproduce.py --out DIR`; every row comes from a run of `rasterloom`. The verdict is computed: \"reproduced\" if the "
     "emulated value lies within the tolerance of the published one, else \"differs\"; \"the paper is inconsistent\" if other numbers of the same "
     "paper give something else, by the same tolerance; \"not emulated\" if there is nothing to measure. The last column is only text. "
     "A tolerance is a share of the published value, or a number in its unit, often half of its last digit."]
@@ -39,7 +39,8 @@ def load_papers(folder, names):
     paths = sorted(Path(folder).glob("*.py"), key=lambda path: (path.stem[-4:], path.stem))
     unknown = set(names) - {path.stem for path in paths}
     if unknown:
-        sys.exit(f"reproduce.py: {folder} has no paper {', '.join(sorted(unknown))}; expected {', '.join(path.stem for path in paths)}")
+        print(f"reproduce.py: {folder} has no paper {', '.join(sorted(unknown))}; expected {', '.join(path.stem for path in paths)}", file=sys.stderr)
+        sys.exit(2)
     return [load_paper(path) for path in paths if not names or path.stem in names]
 
 
