@@ -108,12 +108,13 @@ def examine(claim, emulator):
 
 
 def shown(value):
-    """A number to six digits, a range in words."""
+    """A number as it was typed, or to six digits; a range in words."""
     if value is None:
         return "-"
     if isinstance(value, tuple):
         low, high = value
         return f"at least {shown(low)}" if high is None else f"at most {shown(high)}" if low is None else f"{shown(low)} to {shown(high)}"
     if isinstance(value, float):
-        return f"{value:,.0f}" if abs(value) >= 1e5 else f"{value:.6g}"
+        typed = f"{value:.8g}"
+        return f"{value:,.0f}" if abs(value) >= 1e5 else typed if float(typed) == value else f"{value:.6g}"
     return f"{value:,}" if isinstance(value, int) and abs(value) >= 10000 else str(value)

@@ -23,7 +23,8 @@ CLASSES = {REPRODUCED: "good", DIFFERS: "bad", INCONSISTENT: "odd", NOT_EMULATED
 INTRODUCTION = [
     "Written by `scripts/reproduce.py --out DIR`; every row comes from a run of `rasterloom`. The verdict is computed: \"reproduced\" if the "
     "emulated value lies within the tolerance of the published one, else \"differs\"; \"the paper is inconsistent\" if other numbers of the same "
-    "paper give something else, by the same tolerance; \"not emulated\" if there is nothing to measure. The last column is only text. "
+    "paper give something else, by the tolerance or what rounding leaves open; \"not emulated\" if there is nothing to measure. The last column is "
+    "only text. "
     "A tolerance is a share of the published value, or a number in its unit, often half of its last digit."]
 
 

@@ -19,15 +19,13 @@ from parks_winners import overhead_of
 TITLE = "Parks 1982: splitter, interlace, hybrid, one processor"
 NOTES = [
     "`configs/uniprocessor.yaml`, `splitter4`, `splitter16`, `splitter256`, `interlace4`, `interlace16`, `interlace256`, `hybrid16`. Parks counted "
-    "polygons, vertices, segments "
-    "and pixels of each processor and applied a formula; so do these rows, on the counts of the emulated run, unless they say \"emulated\": cycles "
-    "that "
-    "the program executes. The formula is 139 a polygon, 319.3 a vertex, 158 a segment, 21 a pixel, on ideal fabric; a cycle is 300 ns.",
+    "polygons, vertices, segments and pixels of each processor and applied a formula; so do these rows, on the counts of the emulated run, unless "
+    "they say \"emulated\": cycles that the program executes. The formula is 139 a polygon, 319.3 a vertex, 158 a segment, 21 a pixel, on ideal "
+    "fabric; a cycle is 300 ns.",
     "His scenes are lost. Figure 15 is a reconstruction from his statistics, the others are scenes of the same kind whose viewpoints were chosen so "
-    "that "
-    "the uniprocessor's polygons and cycles come near his: those two agree because they were made to, what is tested is how the work spreads over "
-    "processors. "
-    "What the thesis puts in (512 x 512 pixels, 16-bit words, polygons of 1 to 10 vertices) is not listed."]
+    "that the uniprocessor's polygons and cycles come near his: those two agree because they were made to, what is tested is how the work spreads "
+    "over processors. What the thesis puts in (512 x 512 pixels, 16-bit words, polygons of 1 to 10 vertices) is not listed, nor are numbers that "
+    "cannot be read in the scan: eight of the table of figures 16 to 25, and the graphs of figures 27 to 31."]
 
 FIVE, ONE = Tolerance(percent=5), Tolerance(percent=1)
 ROUNDING = Tolerance(margin=0.006)  # million cycles: half of the last digit of the number itself and of what bounds it
