@@ -6,13 +6,13 @@ SHOWN = 3  # names
 
 
 def part_of(component):
-    """What a step of the path is an example of, and its name. The host's time before a message is on the wire from it."""
+    """What a step of the path is an example of, and its name."""
     kind, name = component["kind"], component["name"]
     if kind == "node":
         return "processors", name
     if kind == "link":
         return "links", name
-    if kind == "host" or (kind == "wire" and name == "from host"):
+    if kind == "host":
         return "host", ""
     if kind == "wire":
         return "waiting", ""

@@ -4,8 +4,8 @@
 #include "machine/cli/config_options.hpp"
 #include "machine/cli/interruption.hpp"
 #include "machine/cli/progress_bar.hpp"
+#include "machine/cli/trace_options.hpp"
 #include "machine/config/error.hpp"
-#include "machine/config/units.hpp"
 #include "machine/emulation/run.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,9 +36,7 @@ struct RunCommandOptions {
     std::string out;
     bool compare = false;
     bool bottlenecks = false;
-    std::vector<std::string> traces;
-    std::string trace_window;
-    std::vector<std::string> trace_of;
+    TraceOptions trace;
     std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
     bool quiet = false;
@@ -142,43 +139,6 @@ void print_outcome(const RunCommandOptions& options, const emulation::RunOutcome
     }
 }
 
-// "10ms..20ms"; either end may be left out.
-void set_window(const std::string& text, emulation::TraceOptions& traces) {
-    const std::size_t dots = text.find("..");
-    try {
-        if (dots == std::string::npos) {
-            throw std::invalid_argument("no window of time");
-        }
-        if (const std::string from = text.substr(0, dots); !from.empty()) {
-            traces.from = Time::zero() + config::parse_duration(from);
-        }
-        if (const std::string to = text.substr(dots + 2); !to.empty()) {
-            traces.to = Time::zero() + config::parse_duration(to);
-        }
-        if (traces.from >= traces.to) {
-            throw std::invalid_argument("an empty window");
-        }
-    } catch (const std::invalid_argument& error) {
-        config::refuse({"--trace-window", 0, 0}, {}, text, error.what(), "FROM..TO, as 10ms..20ms");
-    }
-}
-
-emulation::TraceOptions trace_options(const RunCommandOptions& options) {
-    emulation::TraceOptions traces;
-    for (const std::string& trace : options.traces) {
-        if (!emulation::kind_of_trace(trace)) {
-            config::refuse({"--trace", 0, 0}, {}, trace, "not a kind of trace",
-                           "a name that ends in .perfetto-trace or .sqlite");
-        }
-        traces.paths.emplace_back(trace);
-    }
-    if (!options.trace_window.empty()) {
-        set_window(options.trace_window, traces);
-    }
-    traces.components = options.trace_of;
-    return traces;
-}
-
 void run(const RunCommandOptions& options, Session& session) {
     const config::MachineDescription machine = load(options.config, session);
     if (options.compare && !machine.scene) {
@@ -186,7 +146,7 @@ void run(const RunCommandOptions& options, Session& session) {
                        "a machine with a scene");
     }
     emulation::RunOptions run_options;
-    run_options.traces = trace_options(options);
+    run_options.traces = to_run(options.trace);
     std::optional<observe::OutputFolder> folder;
     std::optional<Interruption> interruption;  // ends before the folder does
     if (!options.no_files) {
@@ -245,23 +205,7 @@ void add_run_command(CLI::App& app, Session& session) {
     command->add_flag("--no-files", options->no_files, "Write no files");
     command->add_flag("--compare", options->compare,
                       "Compare each picture with the reference renderer's");
-    command
-        ->add_option(
-            "--trace", options->traces,
-            "Write what every part of the machine did and when: NAME.perfetto-trace for "
-            "ui.perfetto.dev, NAME.sqlite for `rasterloom bottlenecks` and SQL; repeatable")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
-    command
-        ->add_option("--trace-window", options->trace_window,
-                     "Trace only what happens in this machine time: 10ms..20ms")
-        ->type_name("FROM..TO");
-    command
-        ->add_option("--trace-of", options->trace_of,
-                     "Trace only these processors, links and parts, and their messages")
-        ->delimiter(',')
-        ->type_name("NAME,...")
-        ->allow_extra_args(false);
+    add_trace_options(*command, options->trace);
     command->add_flag("--bottlenecks", options->bottlenecks,
                       "Print what limits the machine: the critical path of each frame down to the "
                       "program's lines (also in statistics.json), load, who waited for whom");
