@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -177,6 +178,30 @@ TEST_F(SqliteTrace, NamesTheProcessorOfASkewedScene) {
     EXPECT_EQ(first.who.name, busiest.name);
     EXPECT_GT(first.on_path * 10, outcome.report.end.since_start() * 9);
     EXPECT_GT(first.longest_queue, 1);
+}
+
+TEST_F(SqliteTrace, AnswersTheQuestionsOfTheDocumentation) {
+    ASSERT_EQ(run(small_geodesic()).failure, "");
+    std::ifstream stream(RASTERLOOM_SOURCE_DIR "/docs/traces.md");
+    const std::string text{std::istreambuf_iterator<char>(stream),
+                           std::istreambuf_iterator<char>()};
+    const Database trace = Database::open(file_, Database::Access::read);
+    observe::Statement somebody =
+        trace.prepare("SELECT because FROM timeline WHERE because_kind = 'node' LIMIT 1");
+    ASSERT_TRUE(somebody.step());
+    const std::string open = "```sql\n";
+    int questions = 0;
+    for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
+        const std::size_t begin = at + open.size();
+        std::string sql = text.substr(begin, text.find("```", begin) - begin);
+        const std::size_t name = sql.find("P261-95");
+        if (name != std::string::npos) {
+            sql.replace(name, 7, somebody.column<std::string>(0));
+        }
+        EXPECT_TRUE(trace.prepare(sql).step()) << sql;
+        ++questions;
+    }
+    EXPECT_EQ(questions, 5);
 }
 
 TEST_F(SqliteTrace, OfABareProcessorHasNoPathAndNoMessages) {
