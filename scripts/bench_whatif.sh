@@ -8,11 +8,12 @@ rasterloom=${RASTERLOOM:-build/release/rasterloom}
 [ -x "$rasterloom" ] || { echo "bench_whatif.sh: $rasterloom is missing; build the preset release first" >&2; exit 1; }
 
 graph=(--vary nodes.clock=x0.5,x2 --vary links.time_per_byte=x0.5,x2 --vary links.latency=x0.5,x2 --vary supervisor.latency=x0.5,x2)
+rounds=(--vary nodes.clock=x0.5,x2 --vary links.time_per_message=x0.5,x2 --vary links.latency=x2,x5)
 fabric=(--vary nodes.clock=x0.5,x2 --vary fabric.polygon_bus.time_per_word=x0.5,x2 --vary fabric.splitter.time_per_vertex=x0.5,x2
         --vary fabric.latency=x0.5,x2 --vary host.time_per_polygon=x0.5,x2 --vary supervisor.latency=x0.5,x2)
 
-rows=$(for machine in geodesic482 uniprocessor splitter4 splitter16 splitter64 splitter256 interlace4 interlace16 interlace64 interlace256 hybrid16 hybrid64; do
-    case $machine in geodesic*) vary=("${graph[@]}") ;; *) vary=("${fabric[@]}") ;; esac
+rows=$(for machine in geodesic482 geodesic482-rounds geodesic12002 uniprocessor splitter4 splitter16 splitter64 splitter256 interlace4 interlace16 interlace64 interlace256 hybrid16 hybrid64; do
+    case $machine in geodesic482-rounds) vary=("${rounds[@]}") ;; geodesic*) vary=("${graph[@]}") ;; *) vary=("${fabric[@]}") ;; esac
     "$rasterloom" whatif "configs/$machine.yaml" "${vary[@]}" | awk -v machine="$machine" '
         $NF ~ /%$/ {gsub("%", ""); error = ($NF - $(NF - 1)) / (1 + $(NF - 1) / 100); error = error < 0 ? -error : error
                     sum += error; ++count; greatest = error > greatest ? error : greatest}

@@ -8,6 +8,7 @@ packages=(
     libcli11-dev libassimp-dev libglm-dev libpng-dev nlohmann-json3-dev libprotozero-dev libsqlite3-dev protobuf-compiler
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
     simh python3-numpy python3-matplotlib
+    libopenmpi-dev openmpi-bin
 )
 
 missing=()

@@ -2,6 +2,9 @@
 #include "machine/emulation/fabric_parts.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace rasterloom::emulation {
 
@@ -16,6 +19,16 @@ FifoReport fifo_report(const FifoStatistics& fifo, Duration whole) {
     return {fifo.peak, whole > Duration() ? fifo.mean(whole) : 0, fifo.full};
 }
 
+// The one that was waited for longest, if anybody was.
+void set_waited_for(FabricPartReport& report, const std::vector<Duration>& waited,
+                    const std::function<std::string(std::size_t)>& name_of) {
+    const auto longest = std::max_element(waited.begin(), waited.end());
+    if (*longest > Duration()) {
+        report.waited_for = name_of(static_cast<std::size_t>(longest - waited.begin()));
+        report.waited_for_it = *longest;
+    }
+}
+
 FabricPartReport host_report(const PolygonSource& source, const std::string& receiver) {
     const PolygonSourceStatistics& counted = source.statistics();
     FabricPartReport report;
@@ -25,10 +38,7 @@ FabricPartReport host_report(const PolygonSource& source, const std::string& rec
     report.vertices = counted.vertices;
     report.busy = counted.busy;
     report.blocked = counted.blocked;
-    if (counted.blocked > Duration()) {
-        report.waited_for = receiver;
-        report.waited_for_it = counted.blocked;
-    }
+    set_waited_for(report, {counted.blocked}, [&](std::size_t) { return receiver; });
     return report;
 }
 
@@ -45,11 +55,9 @@ FabricPartReport splitter_report(const PolygonSplitter& splitter, const Distribu
     report.high_polygons = counted.high.polygons;
     report.busy = counted.busy;
     report.blocked = counted.blocked;
-    report.waited_for_it = std::max(counted.low.blocked, counted.high.blocked);
-    if (report.waited_for_it > Duration()) {
-        const bool low = counted.low.blocked >= counted.high.blocked;
-        report.waited_for = distribution.elements[low ? cut.low : cut.high].name;
-    }
+    set_waited_for(report, {counted.low.blocked, counted.high.blocked}, [&](std::size_t side) {
+        return distribution.elements[side == 0 ? cut.low : cut.high].name;
+    });
     report.input = fifo_report(counted.input_fifo, whole);
     report.low = fifo_report(counted.low.fifo, whole);
     report.high = fifo_report(counted.high.fifo, whole);
@@ -66,12 +74,9 @@ FabricPartReport bus_report(const PolygonBus& bus, const Distribution::Broadcast
     report.words = counted.words;
     report.busy = counted.busy;
     report.blocked = counted.held;
-    const auto slowest = std::max_element(counted.held_by.begin(), counted.held_by.end());
-    if (*slowest > Duration()) {
-        const auto listener = static_cast<std::size_t>(slowest - counted.held_by.begin());
-        report.waited_for = machine.processors()[listeners.processors[listener]]->name();
-        report.waited_for_it = *slowest;
-    }
+    set_waited_for(report, counted.held_by, [&](std::size_t listener) {
+        return machine.processors()[listeners.processors[listener]]->name();
+    });
     report.input = fifo_report(counted.input_fifo, whole);
     return report;
 }
@@ -87,13 +92,13 @@ FabricPartReport turn_bus_report(const TurnBus& bus, const Distribution::Broadca
     report.busy = counted.busy;
     report.blocked = counted.held + counted.out_of_turn;
     // Longest in the way: without a place, or without its message when its turn came.
-    for (std::size_t k = 0; k < listeners.processors.size(); ++k) {
-        const Duration waited = counted.held_by[k] + counted.waited_for[k];
-        if (waited > report.waited_for_it) {
-            report.waited_for = machine.processors()[listeners.processors[k]]->name();
-            report.waited_for_it = waited;
-        }
+    std::vector<Duration> waited = counted.held_by;
+    for (std::size_t k = 0; k < waited.size(); ++k) {
+        waited[k] += counted.waited_for[k];
     }
+    set_waited_for(report, waited, [&](std::size_t k) {
+        return machine.processors()[listeners.processors[k]]->name();
+    });
     return report;
 }
 
@@ -106,12 +111,8 @@ FabricPartReport pixel_bus_report(const FrameBufferBus& bus, const Machine& mach
     report.words = counted.pixels;
     report.busy = counted.busy;
     report.blocked = counted.waiting;
-    const auto longest = std::max_element(counted.waiting_of.begin(), counted.waiting_of.end());
-    if (*longest > Duration()) {
-        const auto processor = static_cast<std::size_t>(longest - counted.waiting_of.begin());
-        report.waited_for = machine.processors()[processor]->name();
-        report.waited_for_it = *longest;
-    }
+    set_waited_for(report, counted.waiting_of,
+                   [&](std::size_t processor) { return machine.processors()[processor]->name(); });
     return report;
 }
 
