@@ -28,13 +28,13 @@ void CauseLog::sent(const Event& event, Time departure, EventId cause) {
         {departure, event.time(), cause, sort_of(event)});
 }
 
-std::optional<SentEvent> CauseLog::find(EventId event) const {
+const SentEvent* CauseLog::find(EventId event) const {
     if (event == kNoCause) {
-        return std::nullopt;
+        return nullptr;
     }
     const Sent& sent = sent_by_[static_cast<std::size_t>(event.source)];
     const std::uint32_t place = event.sequence - sent.first;
-    return place < sent.events.size() ? std::optional(sent.events[place]) : std::nullopt;
+    return place < sent.events.size() ? &sent.events[place] : nullptr;
 }
 
 void CauseLog::walk_back(EventId last, Time began,
@@ -45,11 +45,11 @@ void CauseLog::walk_back(EventId last, Time began,
             visit({component, on_wire, from, to});
         }
     };
-    std::optional<SentEvent> event = find(last);
-    for (EventId id = last; event && event->arrival > began;) {
+    const SentEvent* event = find(last);
+    for (EventId id = last; event != nullptr && event->arrival > began;) {
         step(id.source, true, event->departure, event->arrival);
-        const std::optional<SentEvent> cause = find(event->cause);
-        step(id.source, false, cause ? cause->arrival : began, event->departure);
+        const SentEvent* cause = find(event->cause);
+        step(id.source, false, cause != nullptr ? cause->arrival : began, event->departure);
         id = event->cause;
         event = cause;
     }
@@ -58,11 +58,11 @@ void CauseLog::walk_back(EventId last, Time began,
 // What its source handed on, for the same cause, shortly before it set itself this event: it is
 // busy with that until then.
 std::optional<EventId> CauseLog::message_in_hand(EventId event) const {
-    const std::optional<SentEvent> own = find(event);
+    const SentEvent* own = find(event);
     for (std::uint32_t back = 1; back <= kSentWithAMessage; ++back) {
         const EventId before{event.source, event.sequence - back};
-        const std::optional<SentEvent> sent = find(before);
-        if (!sent || sent->cause != own->cause) {
+        const SentEvent* sent = find(before);
+        if (sent == nullptr || sent->cause != own->cause) {
             break;
         }
         if (sent->sort == SentEvent::Sort::delivers_message) {
@@ -83,8 +83,8 @@ EventId* CauseLog::found_message(EventId event) {
 std::optional<EventId> CauseLog::message_behind(EventId event) {
     std::vector<EventId> walked;
     EventId found = kNoCause;
-    std::optional<SentEvent> at = find(event);
-    while (at && found == kNoCause) {
+    const SentEvent* at = find(event);
+    while (at != nullptr && found == kNoCause) {
         found = *found_message(event);
         if (found != kNoCause) {
             break;
@@ -96,7 +96,7 @@ std::optional<EventId> CauseLog::message_behind(EventId event) {
         if (found == kNoCause) {
             event = at->cause;
             at = find(event);
-            if (at && at->sort == SentEvent::Sort::delivers_message) {
+            if (at != nullptr && at->sort == SentEvent::Sort::delivers_message) {
                 found = event;
             }
         }

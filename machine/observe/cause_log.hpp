@@ -40,8 +40,8 @@ class CauseLog final : public CauseListener {
 
     // All of the following while the machine stands still.
 
-    // Empty for kNoCause and for what has been forgotten.
-    std::optional<SentEvent> find(EventId event) const;
+    // Null for kNoCause and for what has been forgotten.
+    const SentEvent* find(EventId event) const;
     // The steps that led to the arrival of `last`, back to `began` or as far as is remembered: each
     // ends where the one before began. Steps of no duration are left out.
     void walk_back(EventId last, Time began,

@@ -2,7 +2,6 @@
 #include "machine/observe/critical_path.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 namespace rasterloom::observe {
@@ -23,8 +22,8 @@ std::array<Duration, kActivities> activities_within(const PathStep& step,
 }
 
 CriticalPath critical_path(const CauseLog& log, EventId last, Time began) {
-    const std::optional<SentEvent> event = log.find(last);
-    if (!event) {
+    const SentEvent* event = log.find(last);
+    if (event == nullptr) {
         throw std::invalid_argument("the last event of the frame is not in the log");
     }
     CriticalPath path;

@@ -69,7 +69,8 @@ SqliteTrace::SqliteTrace(std::filesystem::path path, MachineNames names, CauseLo
     // Nobody else sees the file before it is complete, and a broken one is thrown away.
     database_->execute(
         fmt::format("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = "
-                    "EXCLUSIVE; PRAGMA cache_size = -8192; PRAGMA application_id = {}; PRAGMA "
+                    "EXCLUSIVE; PRAGMA threads = 1; PRAGMA cache_size = -8192; PRAGMA "
+                    "application_id = {}; PRAGMA "
                     "user_version = {}; BEGIN",
                     kTraceApplication, kTraceFormat));
     database_->execute(kTraceTables);
@@ -255,7 +256,7 @@ void SqliteTrace::close(const RunReport& report, const std::vector<CriticalPath>
     write_blame();
     write_summaries(report);
     database_->execute(kTraceIndices);
-    database_->execute("COMMIT; ANALYZE");
+    database_->execute("COMMIT; PRAGMA analysis_limit = 200; ANALYZE");
     rows_.reset();
     database_.reset();
     std::error_code error;

@@ -30,11 +30,9 @@ CREATE TABLE path_line (frame INTEGER NOT NULL, file TEXT NOT NULL, line INTEGER
 
 inline constexpr const char* kTraceIndices = R"sql(
 CREATE INDEX message_by_event ON message (event);
-CREATE INDEX message_by_id ON message (id);
 CREATE INDEX message_by_receiver ON message (receiver, delivered_ps);
 CREATE INDEX message_by_carrier ON message (carrier, started_ps);
 CREATE INDEX state_by_component ON state (component, from_ps);
-CREATE INDEX state_by_cause ON state (because) WHERE because IS NOT NULL;
 CREATE VIEW timeline AS SELECT component.kind, component.name, state_name.name AS state, activity.name AS activity, from_ps, to_ps, cause.kind AS because_kind, cause.name AS because FROM state JOIN component ON component.id = state.component JOIN state_name ON state_name.id = state.state LEFT JOIN activity ON activity.id = state.activity LEFT JOIN component AS cause ON cause.id = state.because;
 )sql";
 
