@@ -127,6 +127,10 @@ class Processor final : public Component, private isa::Bus {
     ActivityMeter::Executed executed() const {
         return {core_->instructions_retired(), cycles_executed_};
     }
+    bool report_guest_error(std::string what, std::uint32_t program_counter);
+    void fail();
+
+    // processor_arrivals.cpp: what comes, and the stalls that it ends.
     void handle_arrival(const Event& event);
     void handle_message(const Event& event);
     void handle_phase(std::uint16_t phase);
@@ -134,8 +138,6 @@ class Processor final : public Component, private isa::Bus {
     NodeState kind_of_stall() const;
     void resume();
     void begin_stall_before(Time time);
-    bool report_guest_error(std::string what, std::uint32_t program_counter);
-    void fail();
 
     // processor_messages.cpp: for a person.
     GuestError::Details details(std::int64_t cycle, std::uint32_t program_counter,
