@@ -12,6 +12,7 @@
 #include "machine/observe/appendix_c_files.hpp"
 #include "machine/observe/appendix_c_text.hpp"
 #include "machine/observe/output_folder.hpp"
+#include "machine/observe/report_page.hpp"
 #include "machine/observe/statistics_files.hpp"
 #include "machine/observe/summary.hpp"
 
@@ -36,6 +37,7 @@ struct RunCommandOptions {
     std::string out;
     bool compare = false;
     bool bottlenecks = false;
+    bool report = false;
     TraceOptions trace;
     std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
@@ -72,6 +74,11 @@ void write_statistics(const emulation::RunOutcome& outcome, const observe::Outpu
                                   observe::appendix_c_json(*outcome.appendix_c));
         observe::write_file_whole(folder.file("appendix-c.csv"),
                                   observe::appendix_c_csv(*outcome.appendix_c));
+    }
+    if (outcome.timeline) {
+        observe::write_file_whole(folder.file("report.html"),
+                                  observe::report_page({outcome.report, *outcome.timeline,
+                                                        outcome.drawing, outcome.pictures}));
     }
 }
 
@@ -139,12 +146,25 @@ void print_outcome(const RunCommandOptions& options, const emulation::RunOutcome
     }
 }
 
-void run(const RunCommandOptions& options, Session& session) {
-    const config::MachineDescription machine = load(options.config, session);
+// Throws ConfigError for options that do not go together.
+void check_options(const RunCommandOptions& options, const config::MachineDescription& machine) {
     if (options.compare && !machine.scene) {
         config::refuse({"--compare", 0, 0}, {}, {}, "nothing is drawn without a scene",
                        "a machine with a scene");
     }
+    if (options.report && options.no_files) {
+        config::refuse({"--report", 0, 0}, {}, {}, "the report is a file",
+                       "a run without --no-files");
+    }
+    if (options.report && !observe::page_template()) {
+        config::refuse({"--report", 0, 0}, {}, {}, "this program was built without the report",
+                       "a build with the CMake option RASTERLOOM_REPORT=ON");
+    }
+}
+
+void run(const RunCommandOptions& options, Session& session) {
+    const config::MachineDescription machine = load(options.config, session);
+    check_options(options, machine);
     emulation::RunOptions run_options;
     run_options.traces = to_run(options.trace);
     std::optional<observe::OutputFolder> folder;
@@ -156,6 +176,7 @@ void run(const RunCommandOptions& options, Session& session) {
     }
     run_options.reference_pictures = options.compare;
     run_options.bottlenecks = options.bottlenecks;
+    run_options.page = options.report;
     run_options.appendix_c = !options.appendix_c.empty();
     run_options.appendix_c_of = asked_for(options.appendix_c);
     ProgressBar bar(!options.quiet);
@@ -209,6 +230,8 @@ void add_run_command(CLI::App& app, Session& session) {
     command->add_flag("--bottlenecks", options->bottlenecks,
                       "Print what limits the machine: the critical path of each frame down to the "
                       "program's lines (also in statistics.json), load, who waited for whom");
+    command->add_flag("--report", options->report,
+                      "Write report.html: the run to look at in a browser, in one file");
     command->add_flag(
         "--appendix-c{table}", options->appendix_c,
         "Statistics of every processor as in Parks' appendix C: a table, appendix-c.json and "

@@ -118,6 +118,32 @@ FabricPartReport pixel_bus_report(const FrameBufferBus& bus, const Machine& mach
 
 }  // namespace
 
+std::vector<ComponentId> part_ids(const Blueprint& blueprint, const Machine& machine) {
+    std::vector<ComponentId> ids;
+    const PolygonNetwork* fabric = machine.fabric();
+    if (fabric == nullptr) {
+        return ids;
+    }
+    ids.push_back(fabric->source->id());
+    std::size_t splitters = 0;
+    std::size_t buses = 0;
+    for (const Distribution::Element& element : blueprint.distribution->elements) {
+        if (std::holds_alternative<Distribution::Cut>(element.what)) {
+            ids.push_back(fabric->splitters[splitters++]->id());
+        } else if (std::holds_alternative<Distribution::Broadcast>(element.what)) {
+            ids.push_back(fabric->buses[buses]->id());
+            if (!fabric->turn_buses.empty()) {
+                ids.push_back(fabric->turn_buses[buses]->id());
+            }
+            ++buses;
+        }
+    }
+    if (fabric->frame_buffer_bus != nullptr) {
+        ids.push_back(fabric->frame_buffer_bus->id());
+    }
+    return ids;
+}
+
 std::vector<FabricPartReport> gather_fabric(const Blueprint& blueprint, const Machine& machine,
                                             Time end) {
     std::vector<FabricPartReport> reports;

@@ -9,8 +9,11 @@
 
 namespace rasterloom::emulation {
 
-// What the fabric's parts have counted until `end`: the host, then the elements in the
-// distribution's order, then the frame-buffer bus. Empty where the machine is a graph.
+// The fabric's parts: the host, then the elements in the distribution's order, each turn bus after
+// its bus, then the frame-buffer bus. Empty where the machine is a graph.
+std::vector<ComponentId> part_ids(const Blueprint& blueprint, const Machine& machine);
+
+// What the fabric's parts have counted until `end`, in the same order.
 std::vector<observe::FabricPartReport> gather_fabric(const Blueprint& blueprint,
                                                      const Machine& machine, Time end);
 

@@ -15,31 +15,40 @@ std::vector<ComponentId> ids(const Machine& machine) {
     return ids;
 }
 
+// A timeline sums up, in any order.
+observe::RecordMerger::Order order_for(const Observers::Listeners& listeners) {
+    return listeners.messages != nullptr || !listeners.traces.empty()
+               ? observe::RecordMerger::Order::of_events
+               : observe::RecordMerger::Order::by_phase;
+}
+
 }  // namespace
 
-Observers::Observers(Machine& machine, observe::PhaseLog& phases, NodeListener* messages,
-                     const std::vector<observe::TraceSink*>& traces)
-    : merger_(machine.simulation().partitions(), ids(machine),
-              messages != nullptr || !traces.empty() ? observe::RecordMerger::Order::of_events
-                                                     : observe::RecordMerger::Order::by_phase) {
+Observers::Observers(Machine& machine, observe::PhaseLog& phases, const Listeners& listeners)
+    : merger_(machine.simulation().partitions(), ids(machine), order_for(listeners)) {
     merger_.forward_to(static_cast<NodeListener&>(phases));
     merger_.forward_to(static_cast<SupervisorListener&>(phases));
-    if (messages != nullptr) {
-        merger_.forward_to(*messages);
+    if (listeners.messages != nullptr) {
+        merger_.forward_to(*listeners.messages);
     }
-    for (observe::TraceSink* trace : traces) {
+    if (listeners.timeline != nullptr) {
+        merger_.keep_intervals();
+        merger_.forward_to(static_cast<NodeListener&>(*listeners.timeline));
+        merger_.forward_to(static_cast<PartListener&>(*listeners.timeline));
+    }
+    for (observe::TraceSink* trace : listeners.traces) {
         merger_.forward_to(static_cast<NodeListener&>(*trace));
         merger_.forward_to(static_cast<SupervisorListener&>(*trace));
         merger_.forward_to(static_cast<PartListener&>(*trace));
     }
-    if (!traces.empty()) {
+    if (!listeners.traces.empty()) {
         merger_.keep_intervals();
         traced_ = machine.processors();
     }
-    attach(machine, !traces.empty());
+    attach(machine, !listeners.traces.empty() || listeners.timeline != nullptr);
 }
 
-void Observers::attach(Machine& machine, bool traces) {
+void Observers::attach(Machine& machine, bool parts) {
     const Simulation& simulation = machine.simulation();
     for (Processor* processor : machine.processors()) {
         processor->probe().attach(merger_.for_nodes(simulation.partition_of(*processor)));
@@ -47,7 +56,7 @@ void Observers::attach(Machine& machine, bool traces) {
     if (Supervisor* supervisor = machine.supervisor()) {
         supervisor->probe().attach(merger_.for_supervisor(simulation.partition_of(*supervisor)));
     }
-    if (traces && machine.fabric() != nullptr) {
+    if (parts && machine.fabric() != nullptr) {
         machine.fabric()->for_each_part([&](auto& part) {
             part.probe().attach(merger_.for_parts(simulation.partition_of(part)));
         });

@@ -5,6 +5,7 @@
 #include "machine/emulation/machine.hpp"
 #include "machine/observe/phase_log.hpp"
 #include "machine/observe/record_merger.hpp"
+#include "machine/observe/run_timeline.hpp"
 #include "machine/observe/trace_sink.hpp"
 
 #include <vector>
@@ -13,16 +14,21 @@ namespace rasterloom::emulation {
 
 class Observers {
   public:
-    // Everything given must outlive this. `messages` may be null. The machine has been divided
-    // among threads already.
-    Observers(Machine& machine, observe::PhaseLog& phases, NodeListener* messages,
-              const std::vector<observe::TraceSink*>& traces);
+    // Who is told beside the log of phases; null: nobody.
+    struct Listeners {
+        NodeListener* messages = nullptr;
+        observe::RunTimeline* timeline = nullptr;
+        std::vector<observe::TraceSink*> traces;
+    };
+
+    // Everything given must outlive this. The machine has been divided among threads already.
+    Observers(Machine& machine, observe::PhaseLog& phases, const Listeners& listeners);
 
     // Tells the listeners what has happened before `reached`; while the machine stands still there.
     void catch_up(Time reached);
 
   private:
-    void attach(Machine& machine, bool traces);
+    void attach(Machine& machine, bool parts);
 
     std::vector<Processor*> traced_;
     observe::RecordMerger merger_;

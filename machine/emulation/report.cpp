@@ -48,6 +48,21 @@ observe::LinkReport link_report(const NetworkLink& wire,
 
 }  // namespace
 
+observe::TimelineSubjects timeline_subjects(const Blueprint& blueprint, const Machine& machine) {
+    const config::MachineDescription& description = blueprint.description;
+    observe::TimelineSubjects subjects;
+    subjects.nodes = machine.processors().size();
+    // Links come by node and port.
+    for (const auto& ports : blueprint.topology.ports) {
+        subjects.first_link.push_back(subjects.links);
+        subjects.links += ports.size();
+    }
+    subjects.link_latency = description.links.latency;
+    subjects.parts = part_ids(blueprint, machine);
+    subjects.cycle = description.nodes.clock.clock().nominal_period();
+    return subjects;
+}
+
 observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
                                  observe::PhaseLog& phases, Time end) {
     const config::MachineDescription& description = blueprint.description;

@@ -5,8 +5,12 @@
 #include "machine/emulation/machine.hpp"
 #include "machine/observe/phase_log.hpp"
 #include "machine/observe/run_report.hpp"
+#include "machine/observe/run_timeline.hpp"
 
 namespace rasterloom::emulation {
+
+// For the timeline of a machine that has not run.
+observe::TimelineSubjects timeline_subjects(const Blueprint& blueprint, const Machine& machine);
 
 // Gathers what every part of the machine has counted. To be called once, after the run; `end` is
 // its last event's time.

@@ -3,6 +3,7 @@
 
 #include "machine/config/error.hpp"
 #include "machine/emulation/appendix_c_collector.hpp"
+#include "machine/emulation/drawing.hpp"
 #include "machine/emulation/job.hpp"
 #include "machine/emulation/machine.hpp"
 #include "machine/emulation/names.hpp"
@@ -159,7 +160,8 @@ bool wants_paths(const RunOptions& options, const Machine& machine) {
     const bool for_trace =
         std::any_of(options.traces.paths.begin(), options.traces.paths.end(),
                     [](const auto& path) { return kind_of_trace(path) == TraceKind::sqlite; });
-    return options.paths || options.bottlenecks || (for_trace && machine.supervisor() != nullptr);
+    return options.paths || options.bottlenecks ||
+           ((for_trace || options.page) && machine.supervisor() != nullptr);
 }
 
 observe::AppendixCReport gather_appendix_c(AppendixCCollector& collector,
@@ -199,7 +201,13 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     }
     const observe::MachineNames names = machine_names(blueprint, machine);
     Traces traces(options.traces, names, paths ? &paths->causes() : nullptr, options.bottlenecks);
-    Observers observers(machine, phases, messages ? &*messages : nullptr, traces.sinks());
+    if (options.page) {
+        outcome.timeline.emplace(timeline_subjects(blueprint, machine));
+    }
+    Observers observers(machine, phases,
+                        {.messages = messages ? &*messages : nullptr,
+                         .timeline = outcome.timeline ? &*outcome.timeline : nullptr,
+                         .traces = traces.sinks()});
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
@@ -239,6 +247,9 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         if (options.bottlenecks) {
             outcome.bottlenecks = traces.search();
         }
+    }
+    if (options.page) {
+        outcome.drawing = draw_machine(blueprint, outcome.report.fabric);
     }
     if (appendix_c) {
         outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);

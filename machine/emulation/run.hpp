@@ -8,7 +8,9 @@
 #include "machine/kernel/failure.hpp"
 #include "machine/observe/appendix_c.hpp"
 #include "machine/observe/bottlenecks.hpp"
+#include "machine/observe/machine_drawing.hpp"
 #include "machine/observe/run_report.hpp"
+#include "machine/observe/run_timeline.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -37,6 +39,8 @@ struct RunOptions {
     TraceOptions traces;
     bool paths = false;        // RunReport::paths; the run takes somewhat longer
     bool bottlenecks = false;  // RunOutcome::bottlenecks, and paths; takes up to twice as long
+    // What report.html shows: RunOutcome::timeline and drawing, and paths where there are frames.
+    bool page = false;
     // Called now and then while the machine runs; about ten times a second of wall time.
     std::function<void(const Progress&)> progress;
 };
@@ -49,6 +53,8 @@ struct RunOutcome {
     std::vector<host::Picture> references;               // likewise, if asked for
     std::optional<observe::AppendixCReport> appendix_c;  // if asked for
     std::optional<observe::Bottlenecks> bottlenecks;     // if asked for
+    std::optional<observe::RunTimeline> timeline;        // likewise
+    observe::MachineDrawing drawing;                     // with the timeline
     int background = 0;                                  // grey level
     std::string remarks;                                 // on how the object was prepared
     double wall_seconds = 0;  // of the run itself, building and loading not counted

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// The machine as what it is, in colours of the chosen quantity at the chosen time.
+import { channels, onThemeChange, scaleColour, themeColour } from '../colour.js';
+import { coalesced, element, heading, onResize } from '../dom.js';
+import { plural } from '../format.js';
+import { colourLimit } from '../kinds.js';
+import { hideTooltip, showTooltip } from '../tooltip.js';
+import { createCamera } from './camera.js';
+import { createFlat } from './flat.js';
+import { drawGraph } from './graph.js';
+import { handleKeys, KEYS_TEXT } from './keyboard.js';
+import { createLegend } from './legend.js';
+import { createOverlay } from './overlay.js';
+import { handlePointer } from './pointer.js';
+import { drawScreen } from './screen.js';
+import { createSeen } from './seen.js';
+import { drawSphere } from './sphere.js';
+import { createWebgl } from './webgl.js';
+
+const LAYOUTS = { sphere: drawSphere, plane: drawGraph, screen: drawScreen };
+
+export function createMachineView(root, run, store) {
+    const model = LAYOUTS[run.drawing.layout](run);
+    const canvas = element('canvas', { class: 'drawing' });
+    const over = element('canvas', { class: 'drawing', 'aria-hidden': 'true' });
+    const stand = element('div', { class: 'stand', id: 'drawing', tabindex: 0, role: 'application', 'aria-label': describe(run), 'aria-describedby': 'drawing-keys' }, canvas, over);
+    const note = element('p', { class: 'note', id: 'drawing-keys' }, KEYS_TEXT);
+    root.append(heading('machine-title', 'Machine'), createLegend(run, store), stand, note);
+    const renderer = createWebgl(canvas, model) ?? withoutWebgl(root, canvas, model);
+    stand.dataset.renderer = renderer.name;
+    stand.dataset.cells = new Set(model.shapes.faces.map((face) => face.item).filter((item) => model.shapes.items[item]?.kind === 'node')).size;
+    const view = createView(run, store, model, renderer, stand, over);
+    handleKeys(stand, view.actions);
+    handlePointer(stand, view.actions);
+}
+
+function describe(run) {
+    return `Drawing of ${run.kinds.map((kind) => plural(kind.count, kind.noun)).join(', ')}`;
+}
+
+function withoutWebgl(root, canvas, model) {
+    root.append(element('p', { class: 'note', id: 'no-webgl' }, 'This browser offers no WebGL: the machine is drawn flat, which is slower to turn.'));
+    return createFlat(canvas, model);
+}
+
+// Grey where a component's quantity is not known over time.
+function colouring(run, model, { metric, bin }) {
+    const limit = colourLimit(run, metric, bin);
+    const ground = channels(themeColour('ground'));
+    const unknown = channels(themeColour('unknown'));
+    return (face) => {
+        if (face.item < 0) {
+            return ground;
+        }
+        const { kind, index } = model.shapes.items[face.item];
+        const value = run.kind[kind].value(metric, index, bin);
+        return (value === null ? unknown : scaleColour(value / limit)).map((channel) => channel * face.shade);
+    };
+}
+
+function createView(run, store, model, renderer, stand, over) {
+    const { shapes } = model;
+    const camera = createCamera(model);
+    const seen = createSeen(model, camera);
+    const overlay = createOverlay(over, run, model, seen);
+    let pointed = -1;
+
+    const selectedItem = () => {
+        const { selected } = store.get();
+        return selected ? shapes.find(selected.kind, selected.index) : -1;
+    };
+    const redraw = coalesced(() => {
+        camera.width = Math.max(stand.clientWidth, 1);
+        camera.height = Math.max(stand.clientHeight, 1);
+        seen.changed();
+        renderer.draw(camera);
+        overlay.draw(camera, selectedItem(), pointed);
+    });
+    const recolour = () => {
+        renderer.colour(colouring(run, model, store.get()));
+        redraw();
+    };
+    const select = (item) => {
+        const { kind, index } = shapes.items[item] ?? {};
+        store.set({ selected: item < 0 ? null : { kind, index } });
+    };
+    // On a sphere what is selected by key may lie on the far side.
+    const selectAndTurn = (item) => {
+        select(item);
+        if (item >= 0 && model.culls && !isInView(camera, shapes.items[item].anchor)) {
+            camera.lookAtPoint(shapes.items[item].anchor);
+        }
+        redraw();
+    };
+    const kindNow = () => store.get().selected?.kind ?? 'node';
+
+    const actions = {
+        turn(right, up) { camera.turn(right, up); redraw(); },
+        magnify(by) { camera.magnify(by); redraw(); },
+        reset() { camera.reset(); redraw(); },
+        clear: () => select(-1),
+        move: (direction) => selectAndTurn(seen.next(selectedItem(), direction, kindNow())),
+        step(by) {
+            const { count } = run.kind[kindNow()];
+            const index = store.get().selected?.index ?? (by > 0 ? -1 : 0);
+            selectAndTurn(shapes.find(kindNow(), (index + by + count) % count));
+        },
+        nextKind() {
+            const keys = run.kinds.map((kind) => kind.key);
+            selectAndTurn(shapes.find(keys[(keys.indexOf(kindNow()) + 1) % keys.length], 0));
+        },
+        point(x, y, event) {
+            pointed = seen.at(x, y);
+            if (pointed < 0) {
+                hideTooltip();
+            } else {
+                showTooltip(run, store.get(), shapes.items[pointed], event);
+            }
+            redraw();
+        },
+        leave() { pointed = -1; hideTooltip(); redraw(); },
+        click: (x, y) => select(seen.at(x, y)),
+    };
+
+    store.follow(['metric', 'bin'], recolour);
+    store.follow(['selected'], redraw);
+    onResize(stand, redraw);
+    onThemeChange(recolour);
+    return { actions };
+}
+
+function isInView(camera, point) {
+    const { back } = camera.axes();
+    return point[0] * back[0] + point[1] * back[1] + point[2] * back[2] > 0.35 * Math.hypot(...point);
+}

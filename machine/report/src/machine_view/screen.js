@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Processors as their parts of the screen, which lies on the ground; above it the tree by which
+// polygons come, the host on top; below it what takes their pixels.
+import { addBox, createShapes } from './shapes.js';
+import { add, mean } from './vectors.js';
+
+const GAP = 0.05; // of a cell, left free around it
+const HEIGHT = 1.25; // of the host above a screen that is 2 wide
+const DEPTH = 0.42;
+
+// What each part hands on to.
+function childrenOf(run) {
+    const { parts, fed_by: fedBy } = run.drawing;
+    const children = parts.map(() => ({ parts: [], nodes: [] }));
+    parts.forEach((part, i) => {
+        if (part.parent !== null && part.place === 'before') {
+            children[part.parent].parts.push(i);
+        }
+    });
+    fedBy.forEach((part, node) => {
+        if (part !== null) {
+            children[part].nodes.push(node);
+        }
+    });
+    return children;
+}
+
+// Middle and size of what lies below each part, and how many levels there are.
+function placeParts(children, cells) {
+    const places = children.map(() => null);
+    const place = (part) => {
+        places[part] ??= combine(children[part].parts.map(place), children[part].nodes.map((node) => cells[node]));
+        return places[part];
+    };
+    children.forEach((_, part) => place(part));
+    return places;
+}
+
+function combine(parts, nodes) {
+    const below = [...parts.map((part) => part.middle), ...nodes.map((node) => node.middle)];
+    return {
+        middle: below.length > 0 ? mean(below) : [0, 0, 0],
+        area: [...parts, ...nodes].reduce((sum, each) => sum + each.area, 0),
+        level: 1 + Math.max(0, ...parts.map((part) => part.level)),
+    };
+}
+
+function placeCells(run) {
+    const { width, height, cells } = run.drawing.screen;
+    const unit = 2 / Math.max(width, height);
+    return cells.map(([x, y, w, h]) => {
+        const left = (x - width / 2) * unit;
+        const bottom = (y - height / 2) * unit;
+        return { left, bottom, wide: w * unit, high: h * unit, middle: [left + (w * unit) / 2, bottom + (h * unit) / 2, 0], area: w * h * unit * unit };
+    });
+}
+
+function rectangle(left, bottom, right, top, z) {
+    return [[left, bottom, z], [right, bottom, z], [right, top, z], [left, top, z]];
+}
+
+function addCells(shapes, cells) {
+    cells.forEach(({ left, bottom, wide, high }, node) => {
+        shapes.addGround(rectangle(left, bottom, left + wide, bottom + high, -0.004));
+        shapes.addFace('node', node, rectangle(left + GAP * wide, bottom + GAP * high, left + (1 - GAP) * wide, bottom + (1 - GAP) * high, 0));
+    });
+}
+
+// One that hands on to many is a bar, as a bus is drawn.
+function boxSize(place, fanOut) {
+    const side = Math.min(Math.max(0.14 * Math.sqrt(place.area), 0.012), 0.06);
+    return fanOut > 2 ? [Math.max(0.4 * Math.sqrt(place.area), side), side / 2, side / 2] : [side, side, side];
+}
+
+function addTree(shapes, run, cells) {
+    const { parts } = run.drawing;
+    const children = childrenOf(run);
+    const places = placeParts(children, cells);
+    const levels = Math.max(1, ...places.map((place) => place.level));
+    const at = places.map(({ middle, level }) => [middle[0], middle[1], (HEIGHT * level) / levels]);
+    parts.forEach(({ place, parent }, part) => {
+        if (place !== 'before') {
+            return;
+        }
+        const size = boxSize(places[part], children[part].nodes.length);
+        addBox(shapes, 'part', part, at[part], size);
+        children[part].parts.forEach((child) => shapes.addLine(at[part], at[child]));
+        children[part].nodes.forEach((node) => shapes.addLine(at[part], cells[node].middle));
+    });
+    parts.forEach(({ place, parent }, part) => {
+        if (place === 'beside') {
+            const size = boxSize(places[parent], children[parent].nodes.length);
+            const position = add(at[parent], [0, 0, -0.3 * at[parent][2]]);
+            addBox(shapes, 'part', part, position, size);
+            shapes.addLine(position, at[parent]);
+        } else if (place === 'behind') {
+            addBox(shapes, 'part', part, [0, 0, -DEPTH], [0.5, 0.03, 0.03]);
+            cells.forEach((cell) => shapes.addLine(cell.middle, [cell.middle[0] * 0.5, 0, -DEPTH]));
+        }
+    });
+}
+
+export function drawScreen(run) {
+    const shapes = createShapes();
+    const cells = placeCells(run);
+    addCells(shapes, cells);
+    addTree(shapes, run, cells);
+    const behind = run.drawing.parts.some((part) => part.place === 'behind');
+    return { shapes, radius: 1.38, target: [0, 0, behind ? 0.25 : 0.42], culls: false, view: { azimuth: -112, elevation: 30 }, turns: 'the screen' };
+}

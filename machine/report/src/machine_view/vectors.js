@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Vectors of three numbers.
+
+export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const scale = (a, by) => [a[0] * by, a[1] * by, a[2] * by];
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const length = (a) => Math.hypot(a[0], a[1], a[2]);
+export const unit = (a) => scale(a, 1 / (length(a) || 1));
+export const between = (a, b, share) => add(a, scale(subtract(b, a), share));
+export const mean = (points) => scale(points.reduce(add, [0, 0, 0]), 1 / points.length);
