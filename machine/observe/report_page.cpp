@@ -44,10 +44,13 @@ class SeriesWriter {
     SeriesWriter(const Timeline& bins, const TimelineSeries& series, Time end)
         : bins_(bins), series_(series), end_(end) {}
 
-    // The greatest mean of a bin: 1 where it is a share of time.
+    // The greatest mean of a bin; where it is a share of time, 1.
     double scale() const {
-        double scale = series_.role == TimelineSeries::Role::queue ? 0 : 1;
-        for (std::size_t bin = 0; bin < bins_.bins() && scale != 1; ++bin) {
+        if (series_.role != TimelineSeries::Role::queue) {
+            return 1;
+        }
+        double scale = 0;
+        for (std::size_t bin = 0; bin < bins_.bins(); ++bin) {
             for (std::size_t i = 0; i < series_.components; ++i) {
                 scale = std::max(scale, mean(i, bin));
             }

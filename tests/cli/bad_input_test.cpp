@@ -253,6 +253,10 @@ const std::vector<BadInput> kBadInputs{
      {"run", "bare-pdp11.yaml", "--bottlenecks"},
      2,
      {"--bottlenecks", "no frames"}},
+    {"ReportWithoutFiles",
+     {"run", "ring.yaml", "--report", "--no-files"},
+     2,
+     {"--report", "the report is a file", "a run without --no-files"}},
     {"Kind", {"list", "scene"}, 2, {"no such subcommand 'scene'", "did you mean 'scenes'?"}},
 };
 

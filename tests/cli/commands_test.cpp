@@ -19,6 +19,12 @@ using testing::StartsWith;
 
 class Commands : public CommandLine {};
 
+#ifdef RASTERLOOM_HAS_REPORT
+constexpr bool kHasReport = true;
+#else
+constexpr bool kHasReport = false;
+#endif
+
 TEST_F(Commands, HelpNamesTheSubcommandsAndExitStatuses) {
     const Finished help = rasterloom({"--help"});
     EXPECT_EQ(help.status, 0);
@@ -48,6 +54,28 @@ TEST_F(Commands, RunIsTheSameEveryTime) {
         EXPECT_EQ(read_text(folder_ / "work/a" / name), read_text(folder_ / "work/b" / name))
             << name;
     }
+}
+
+TEST_F(Commands, RunWritesItsReportBesideTheOtherFiles) {
+    const Finished run = rasterloom({"run", "ring.yaml", "--report", "--quiet"});
+    if (!kHasReport) {
+        EXPECT_EQ(run.status, 2);
+        EXPECT_THAT(run.err, HasSubstr("built without the report"));
+        EXPECT_THAT(files(), IsEmpty());
+        return;
+    }
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.out + run.err, IsEmpty());
+    const std::string report = read_text(folder_ / "work/out/ring/report.html");
+    EXPECT_THAT(report, StartsWith("<!doctype html>"));
+    EXPECT_THAT(report, HasSubstr("critical_paths"));
+    EXPECT_THAT(read_text(folder_ / "work/out/ring/statistics.json"), HasSubstr("critical_paths"));
+}
+
+TEST_F(Commands, ABareProcessorHasAReport) {
+    const Finished run = rasterloom({"run", "bare-pdp11.yaml", "--report", "--quiet"});
+    EXPECT_EQ(run.status, kHasReport ? 0 : 2);
+    EXPECT_EQ(std::filesystem::exists(folder_ / "work/out/bare-pdp11/report.html"), kHasReport);
 }
 
 TEST_F(Commands, RunQuietlySaysNothing) {

@@ -26,6 +26,7 @@ function createKind(sort, run) {
     const series = run.series.filter((each) => each.of === sort.key);
     const byRole = (role) => series.filter((each) => each.role === role);
     const names = table.rows.map((_, i) => sort.name(table, i));
+    const greatest = {};
     const index = new Map(names.map((name, i) => [name, i]));
 
     function whole(metric, i) {
@@ -55,11 +56,8 @@ function createKind(sort, run) {
             return followed.length > 0 ? followed.reduce((sum, each) => sum + each.at(i, bin), 0) : null;
         },
         greatest(metric) {
-            let most = 0;
-            for (let i = 0; i < names.length; ++i) {
-                most = Math.max(most, whole(metric, i));
-            }
-            return most;
+            greatest[metric] ??= names.reduce((most, _, i) => Math.max(most, whole(metric, i)), 0);
+            return greatest[metric];
         },
         // Of all components, in one bin.
         mean(metric, bin) {
@@ -79,13 +77,13 @@ function createKind(sort, run) {
     };
 }
 
-// What the colours reach to, so that differences can be seen: to the greatest of the whole run, or
-// in a bin to all of its time.
-export function colourLimit(run, metric, bin) {
-    const greatest = Math.max(...run.kinds.map((kind) => kind.greatest(metric)), 0);
-    if (metric === 'queue') {
-        const scales = run.series.filter((each) => each.role === 'queue' && each.of !== 'machine').map((each) => each.scale);
-        return bin === null ? greatest || 1 : Math.max(...scales, 0) || 1;
+// What the colours of one sort reach to, so that differences can be seen: to the greatest of the
+// whole run, or in a bin to all of its time.
+export function colourLimit(kind, metric, bin) {
+    if (bin === null) {
+        const greatest = kind.greatest(metric);
+        return (metric === 'queue' ? greatest : Math.min(greatest, 1)) || 1;
     }
-    return bin === null ? Math.min(greatest, 1) || 1 : 1;
+    const scales = kind.series.filter((each) => each.role === metric).map((each) => each.scale);
+    return Math.max(...scales, 0) || 1;
 }

@@ -40,11 +40,16 @@ function ordered(table, { column, descending }, filter) {
     return wanted.sort((a, b) => sign * compare(table.rows[a][column], table.rows[b][column]) || a - b);
 }
 
+// "waited_for" is a name, "waited_for_ps" a time.
+function headOf(table, name) {
+    return name.endsWith('_ps') && table.columns.includes(name.slice(0, -3)) ? `${label(name)}, time` : label(name);
+}
+
 function createTable(table, store) {
     const state = { sort: { column: null, descending: false }, page: 0, filter: '' };
     const body = element('tbody', {});
     const heads = table.columns.map((name, column) => element('th', { scope: 'col' },
-        element('button', { type: 'button', onclick: () => sortBy(column) }, label(name), name.endsWith('_u') ? element('small', {}, ' u') : null)));
+        element('button', { type: 'button', onclick: () => sortBy(column) }, headOf(table, name), name.endsWith('_u') ? element('small', {}, ' u') : null)));
     const pages = pager(table, state, () => show());
     const grid = element('table', { id: `table-${table.key}`, class: 'sortable' }, element('caption', { class: 'unseen' }, table.title),
         element('thead', {}, element('tr', {}, heads)), body);

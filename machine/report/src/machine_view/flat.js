@@ -2,6 +2,7 @@
 // Draws the faces and lines on a canvas, the farthest first: where there is no WebGL, and on paper.
 import { themeColour } from '../colour.js';
 import { projector } from './camera.js';
+import { lineStrength } from './shapes.js';
 
 // Whether a face shows its front: on the screen y is downwards.
 export function facesViewer(corners) {
@@ -58,10 +59,12 @@ function fillPolygon(context, corners, colour) {
 
 function drawLines(context, lines, project) {
     context.strokeStyle = themeColour('wire');
+    context.globalAlpha = lineStrength(lines);
     context.beginPath();
     for (const [from, to] of lines) {
         context.moveTo(...project(from).slice(0, 2));
         context.lineTo(...project(to).slice(0, 2));
     }
     context.stroke();
+    context.globalAlpha = 1;
 }

@@ -60,13 +60,15 @@ export function drawGraph(run) {
         shapes.addGround(disc(add(at, [0, 0, -0.002]), 1.12 * radius));
         shapes.addFace('node', node, disc(at, radius));
     });
+    let bent = false;
     const checks = positions.length * (links?.count ?? 0) < MOST_CHECKS;
     for (let link = 0; link < (links?.count ?? 0); ++link) {
         const from = links.data.get(link, 'from');
         const to = links.data.get(link, 'to');
         const bends = checks && runsOver(positions, from, to, radius);
+        bent ||= bends;
         const path = linkPath(positions[from], positions[to], 1.1 * radius, bends ? 0.5 * apart : 0);
         addRibbon(shapes, link, path, path.map(() => UP), 0.3 * radius, 0.12 * radius);
     }
-    return { shapes, radius: Math.max(...positions.map(length)) + 1.5 * radius, target: [0, 0, 0], culls: false, view: { azimuth: -90, elevation: 62 }, turns: 'the plane' };
+    return { shapes, radius: Math.max(...positions.map(length)) + 1.5 * radius, target: [0, 0, 0], culls: false, view: { azimuth: -90, elevation: bent ? 62 : 88 }, turns: 'the plane' };
 }

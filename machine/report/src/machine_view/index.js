@@ -25,13 +25,21 @@ export function createMachineView(root, run, store) {
     const over = element('canvas', { class: 'drawing', 'aria-hidden': 'true' });
     const stand = element('div', { class: 'stand', id: 'drawing', tabindex: 0, role: 'application', 'aria-label': describe(run), 'aria-describedby': 'drawing-keys' }, canvas, over);
     const note = element('p', { class: 'note', id: 'drawing-keys' }, KEYS_TEXT);
-    root.append(heading('machine-title', 'Machine'), createLegend(run, store), stand, note);
+    root.append(heading('machine-title', 'Machine'), createLegend(run, store), stand, ...explanations(run), note);
     const renderer = createWebgl(canvas, model) ?? withoutWebgl(root, canvas, model);
     stand.dataset.renderer = renderer.name;
     stand.dataset.cells = new Set(model.shapes.faces.map((face) => face.item).filter((item) => model.shapes.items[item]?.kind === 'node')).size;
     const view = createView(run, store, model, renderer, stand, over);
     handleKeys(stand, view.actions);
     handlePointer(stand, view.actions);
+}
+
+function explanations(run) {
+    const shared = run.drawing.screen.grids.some(([, , stepX, stepY]) => stepX > 1 || stepY > 1);
+    return [
+        run.kind.link ? 'Each direction of a link is a strip on its right, wide where it begins.' : null,
+        shared ? 'Processors that share a part of the screen pixel by pixel are drawn as one of its blocks of pixels, enlarged; the picture shows the pixels of a selected one.' : null,
+    ].filter((text) => text !== null).map((text) => element('p', { class: 'note' }, text));
 }
 
 function describe(run) {
@@ -45,7 +53,7 @@ function withoutWebgl(root, canvas, model) {
 
 // Grey where a component's quantity is not known over time.
 function colouring(run, model, { metric, bin }) {
-    const limit = colourLimit(run, metric, bin);
+    const limits = Object.fromEntries(run.kinds.map((kind) => [kind.key, colourLimit(kind, metric, bin)]));
     const ground = channels(themeColour('ground'));
     const unknown = channels(themeColour('unknown'));
     return (face) => {
@@ -54,7 +62,7 @@ function colouring(run, model, { metric, bin }) {
         }
         const { kind, index } = model.shapes.items[face.item];
         const value = run.kind[kind].value(metric, index, bin);
-        return (value === null ? unknown : scaleColour(value / limit)).map((channel) => channel * face.shade);
+        return (value === null ? unknown : scaleColour(value / limits[kind])).map((channel) => channel * face.shade);
     };
 }
 
@@ -70,12 +78,12 @@ function createView(run, store, model, renderer, stand, over) {
         return selected ? shapes.find(selected.kind, selected.index) : -1;
     };
     const redraw = coalesced(() => {
-        camera.width = Math.max(stand.clientWidth, 1);
-        camera.height = Math.max(stand.clientHeight, 1);
+        camera.resize(Math.max(stand.clientWidth, 1), Math.max(stand.clientHeight, 1));
         seen.changed();
         renderer.draw(camera);
         overlay.draw(camera, selectedItem(), pointed);
     });
+    const redrawOverlay = coalesced(() => overlay.draw(camera, selectedItem(), pointed));
     const recolour = () => {
         renderer.colour(colouring(run, model, store.get()));
         redraw();
@@ -89,8 +97,8 @@ function createView(run, store, model, renderer, stand, over) {
         select(item);
         if (item >= 0 && model.culls && !isInView(camera, shapes.items[item].anchor)) {
             camera.lookAtPoint(shapes.items[item].anchor);
+            redraw();
         }
-        redraw();
     };
     const kindNow = () => store.get().selected?.kind ?? 'node';
 
@@ -116,14 +124,14 @@ function createView(run, store, model, renderer, stand, over) {
             } else {
                 showTooltip(run, store.get(), shapes.items[pointed], event);
             }
-            redraw();
+            redrawOverlay();
         },
-        leave() { pointed = -1; hideTooltip(); redraw(); },
+        leave() { pointed = -1; hideTooltip(); redrawOverlay(); },
         click: (x, y) => select(seen.at(x, y)),
     };
 
     store.follow(['metric', 'bin'], recolour);
-    store.follow(['selected'], redraw);
+    store.follow(['selected'], redrawOverlay);
     onResize(stand, redraw);
     onThemeChange(recolour);
     return { actions };

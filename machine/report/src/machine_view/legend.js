@@ -15,14 +15,17 @@ export function show(metric, value) {
 
 export function createLegend(run, store) {
     const least = element('span', {});
-    const most = element('span', { id: 'legend-most' });
+    const most = run.kinds.map((kind) => element('span', { 'data-kind': kind.key }));
     const title = element('span', { class: 'legend-title' });
     const bar = element('span', { class: 'legend-bar', style: `background:${gradient()}`, 'aria-hidden': 'true' });
     store.follow(['metric', 'bin'], ({ metric, bin }) => {
         const { title: name, unit } = METRICS.find((each) => each.key === metric);
         title.textContent = unit === 'share' ? `${name}, share of ${bin === null ? 'the run' : 'this time'}` : `${name}, messages on average`;
         least.textContent = show(metric, 0);
-        most.textContent = show(metric, colourLimit(run, metric, bin));
+        run.kinds.forEach((kind, i) => {
+            const text = bin !== null && !kind.hasBins(metric) ? 'not recorded over time' : show(metric, colourLimit(kind, metric, bin));
+            most[i].textContent = `${kind.title.toLowerCase()} ${text}`;
+        });
     });
     return element('div', { class: 'legend', role: 'note' }, title, least, bar, most);
 }

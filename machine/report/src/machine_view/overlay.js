@@ -4,6 +4,7 @@
 import { themeColour } from '../colour.js';
 
 const MOST_NAMES = 48;
+const SIDE = 26; // pixels beside a part's middle at most
 
 function stroke(context, corners, width, colour) {
     context.beginPath();
@@ -28,6 +29,27 @@ function names(run, model) {
     return model.shapes.items.flatMap(({ kind, index }, item) => (named.includes(kind) ? [{ item, text: run.kind[kind].names[index], kind }] : []));
 }
 
+function beside(outlines, x) {
+    const right = Math.max(...outlines.flat().map((corner) => corner[0]));
+    return Math.min(right + 4, x + SIDE);
+}
+
+// Those of what is selected or pointed at first; one that would run over another is left out.
+function writeNames(context, texts, seen, first) {
+    const taken = [];
+    const inOrder = [...texts].sort((a, b) => first.includes(b.item) - first.includes(a.item));
+    for (const { item, text, kind } of inOrder) {
+        const [x, y] = seen.anchor(item);
+        const width = context.measureText(text).width;
+        const left = kind === 'node' ? x - width / 2 : beside(seen.outlines(item), x);
+        const box = [left, y - 7, left + width, y + 7];
+        if (taken.every((other) => box[0] > other[2] || box[2] < other[0] || box[1] > other[3] || box[3] < other[1])) {
+            taken.push(box);
+            write(context, text, left, y);
+        }
+    }
+}
+
 export function createOverlay(canvas, run, model, seen) {
     const context = canvas.getContext('2d');
     const texts = names(run, model);
@@ -38,11 +60,7 @@ export function createOverlay(canvas, run, model, seen) {
             context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
             context.font = '12px system-ui, sans-serif';
             context.textBaseline = 'middle';
-            for (const { item, text, kind } of texts) {
-                const [x, y] = seen.anchor(item);
-                context.textAlign = kind === 'node' ? 'center' : 'left';
-                write(context, text, kind === 'node' ? x : x + 12, y);
-            }
+            writeNames(context, texts, seen, [selected, pointed]);
             for (const [item, light] of [[pointed, 1.5], [selected, 2.5]]) {
                 if (item >= 0) {
                     const outlines = seen.outlines(item);

@@ -5,8 +5,9 @@ import { addBox, createShapes } from './shapes.js';
 import { add, mean } from './vectors.js';
 
 const GAP = 0.05; // of a cell, left free around it
-const HEIGHT = 1.25; // of the host above a screen that is 2 wide
+const HEIGHT = 1.5; // of the host above a screen that is 2 wide
 const DEPTH = 0.42;
+const BAR = [0.8, 0.03, 0.03]; // of what lies below the screen
 
 // What each part hands on to.
 function childrenOf(run) {
@@ -68,8 +69,13 @@ function addCells(shapes, cells) {
 
 // One that hands on to many is a bar, as a bus is drawn.
 function boxSize(place, fanOut) {
-    const side = Math.min(Math.max(0.14 * Math.sqrt(place.area), 0.012), 0.06);
+    const side = Math.min(Math.max(0.11 * Math.sqrt(place.area), 0.008), 0.045);
     return fanOut > 2 ? [Math.max(0.4 * Math.sqrt(place.area), side), side / 2, side / 2] : [side, side, side];
+}
+
+// Where a wire leaves a box: from a bar as near to the other end as there is.
+function tapOf([x, y, z], [half], to) {
+    return [Math.min(Math.max(to[0], x - half), x + half), y, z];
 }
 
 function addTree(shapes, run, cells) {
@@ -78,14 +84,14 @@ function addTree(shapes, run, cells) {
     const places = placeParts(children, cells);
     const levels = Math.max(1, ...places.map((place) => place.level));
     const at = places.map(({ middle, level }) => [middle[0], middle[1], (HEIGHT * level) / levels]);
-    parts.forEach(({ place, parent }, part) => {
+    parts.forEach(({ place }, part) => {
         if (place !== 'before') {
             return;
         }
         const size = boxSize(places[part], children[part].nodes.length);
         addBox(shapes, 'part', part, at[part], size);
         children[part].parts.forEach((child) => shapes.addLine(at[part], at[child]));
-        children[part].nodes.forEach((node) => shapes.addLine(at[part], cells[node].middle));
+        children[part].nodes.forEach((node) => shapes.addLine(tapOf(at[part], size, cells[node].middle), cells[node].middle));
     });
     parts.forEach(({ place, parent }, part) => {
         if (place === 'beside') {
@@ -94,8 +100,8 @@ function addTree(shapes, run, cells) {
             addBox(shapes, 'part', part, position, size);
             shapes.addLine(position, at[parent]);
         } else if (place === 'behind') {
-            addBox(shapes, 'part', part, [0, 0, -DEPTH], [0.5, 0.03, 0.03]);
-            cells.forEach((cell) => shapes.addLine(cell.middle, [cell.middle[0] * 0.5, 0, -DEPTH]));
+            addBox(shapes, 'part', part, [0, 0, -DEPTH], BAR);
+            cells.forEach((cell) => shapes.addLine(cell.middle, tapOf([0, 0, -DEPTH], BAR, cell.middle)));
         }
     });
 }
@@ -106,5 +112,5 @@ export function drawScreen(run) {
     addCells(shapes, cells);
     addTree(shapes, run, cells);
     const behind = run.drawing.parts.some((part) => part.place === 'behind');
-    return { shapes, radius: 1.38, target: [0, 0, behind ? 0.25 : 0.42], culls: false, view: { azimuth: -112, elevation: 30 }, turns: 'the screen' };
+    return { shapes, radius: 1.38, target: [0, 0, behind ? 0.25 : 0.42], culls: false, view: { azimuth: -106, elevation: 24 }, turns: 'the screen' };
 }

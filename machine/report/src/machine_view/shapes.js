@@ -34,6 +34,11 @@ export function createShapes() {
     };
 }
 
+// Many lines must not hide what is behind them.
+export function lineStrength(lines) {
+    return Math.min(1, Math.max(0.3, 48 / lines.length));
+}
+
 // A ribbon along a path on a surface, to the right of its middle line, narrower towards its end so
 // that one sees which way it leads.
 export function addRibbon(shapes, index, path, normals, width, gap) {

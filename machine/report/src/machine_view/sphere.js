@@ -4,9 +4,9 @@
 import { addRibbon, createShapes } from './shapes.js';
 import { add, between, cross, dot, mean, scale, subtract, unit } from './vectors.js';
 
-const CELL = 0.76; // of its full size, where links need room
+const CELL = 0.82; // of its full size, where links need room
 const WHOLE_CELL = 0.94;
-const BRIDGE = [0.36, 0.64]; // the part of a link that is seen
+const BRIDGE = [0.38, 0.62]; // the part of a link that is seen
 
 // Middles of the triangles around each node, counter-clockwise seen from outside.
 function dualCells(positions, triangles) {
@@ -56,7 +56,7 @@ export function drawSphere(run) {
         const to = positions[links.data.get(link, 'to')];
         const path = BRIDGE.map((share) => scale(unit(between(from, to, share)), 1.003));
         const apart = Math.hypot(...subtract(to, from));
-        addRibbon(shapes, link, path, path.map(unit), 0.11 * apart, 0.03 * apart);
+        addRibbon(shapes, link, path, path.map(unit), 0.09 * apart, 0.035 * apart);
     }
     return { shapes, radius: 1, target: [0, 0, 0], culls: true, view: { azimuth: 180, elevation: 14 }, turns: 'the sphere' };
 }

@@ -6,6 +6,7 @@ import {
 } from 'three';
 import { themeColour } from '../colour.js';
 import { FIELD } from './camera.js';
+import { lineStrength } from './shapes.js';
 
 // Null where WebGL cannot be had; three.js itself would write errors to the console.
 export function createWebgl(canvas, model) {
@@ -40,7 +41,8 @@ function place(eye, camera, model) {
     eye.up.set(...up);
     eye.lookAt(...model.target);
     eye.aspect = camera.width / camera.height;
-    eye.zoom = camera.zoom;
+    eye.zoom = camera.zoom * camera.fitted;
+    eye.setViewOffset(camera.width, camera.height, camera.middle[0] * camera.zoom, camera.middle[1] * camera.zoom, camera.width, camera.height);
     eye.near = Math.max(distance - 2 * model.radius, 0.1);
     eye.far = distance + 2 * model.radius;
     eye.updateProjectionMatrix();
@@ -84,7 +86,7 @@ function paint(shapes, attribute, colourOf) {
 function lineMesh({ shapes }) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(shapes.lines.flat(2)), 3));
-    const mesh = new LineSegments(geometry, new LineBasicMaterial({ color: 0x888888 }));
+    const mesh = new LineSegments(geometry, new LineBasicMaterial({ transparent: true, opacity: lineStrength(shapes.lines) }));
     mesh.visible = shapes.lines.length > 0;
     mesh.frustumCulled = false;
     return mesh;
