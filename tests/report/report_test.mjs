@@ -94,6 +94,10 @@ async function playsTime(browser, folder) {
     const report = await openReport(browser, join(folder, 'report.html'));
     const { page } = report;
     const still = await page.locator('#drawing').screenshot();
+    await page.focus('#drawing');
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('Home');
+    assert.ok(still.equals(await page.locator('#drawing').screenshot()), 'Home does not bring the first view back');
     await page.focus('#play');
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => document.getElementById('time').value > 3);
