@@ -57,6 +57,26 @@ void expect_links_add_up(const RunOutcome& outcome) {
     }
 }
 
+// A frame-buffer bus is told to block whom it serves: it blocks on nothing itself.
+void expect_parts_add_up(const RunOutcome& outcome) {
+    const observe::Timeline& bins = outcome.timeline->bins();
+    const std::size_t busy = series(outcome, TimelineSeries::Of::part, "busy").first_track;
+    const std::size_t blocked = series(outcome, TimelineSeries::Of::part, "blocked").first_track;
+    const std::size_t input = series(outcome, TimelineSeries::Of::part, "input_fifo").first_track;
+    const double whole = static_cast<double>(outcome.report.end.picoseconds());
+    for (std::size_t i = 0; i < outcome.report.fabric.size(); ++i) {
+        const observe::FabricPartReport& part = outcome.report.fabric[i];
+        EXPECT_EQ(bins.total(busy + i), part.busy.picoseconds()) << part.name;
+        if (part.part != observe::FabricPart::frame_buffer_bus) {
+            EXPECT_EQ(bins.total(blocked + i), part.blocked.picoseconds()) << part.name;
+        }
+        if (part.part != observe::FabricPart::turn_bus) {
+            EXPECT_NEAR(static_cast<double>(bins.total(input + i)) / whole, part.input.mean, 1e-9)
+                << part.name;
+        }
+    }
+}
+
 TEST(ReportOfARun, AddsUpToItsStatistics) {
     for (const auto& description :
          {small_geodesic(), shipped("ring.yaml"), shipped("bare-pdp11.yaml"),
@@ -67,6 +87,9 @@ TEST(ReportOfARun, AddsUpToItsStatistics) {
         expect_states_add_up(outcome);
         if (!outcome.report.links.empty()) {
             expect_links_add_up(outcome);
+        }
+        if (!outcome.report.fabric.empty()) {
+            expect_parts_add_up(outcome);
         }
         EXPECT_EQ(outcome.report.paths.size(), outcome.report.frame_ends.size());
     }
