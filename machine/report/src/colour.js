@@ -45,6 +45,8 @@ export function themeColour(name) {
     return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
+// Paper is light, too.
 export function onThemeChange(callback) {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', callback);
+    matchMedia('print').addEventListener('change', callback);
 }

@@ -68,7 +68,7 @@ export function drawGraph(run) {
         const bends = checks && runsOver(positions, from, to, radius);
         bent ||= bends;
         const path = linkPath(positions[from], positions[to], 1.1 * radius, bends ? 0.5 * apart : 0);
-        addRibbon(shapes, link, path, path.map(() => UP), 0.3 * radius, 0.12 * radius);
+        addRibbon(shapes, link, path, path.map(() => UP), (bends ? 0.16 : 0.3) * radius, 0.12 * radius);
     }
     return { shapes, radius: Math.max(...positions.map(length)) + 1.5 * radius, target: [0, 0, 0], culls: false, view: { azimuth: -90, elevation: bent ? 62 : 88 }, turns: 'the plane' };
 }

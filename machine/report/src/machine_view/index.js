@@ -92,12 +92,14 @@ function createView(run, store, model, renderer, stand, over) {
         const { kind, index } = shapes.items[item] ?? {};
         store.set({ selected: item < 0 ? null : { kind, index } });
     };
-    // On a sphere what is selected by key may lie on the far side.
-    const selectAndTurn = (item) => {
-        select(item);
+    // On a sphere what is selected elsewhere, or by key, may lie on the far side.
+    const showSelected = () => {
+        const item = selectedItem();
         if (item >= 0 && model.culls && !isInView(camera, shapes.items[item].anchor)) {
             camera.lookAtPoint(shapes.items[item].anchor);
             redraw();
+        } else {
+            redrawOverlay();
         }
     };
     const kindNow = () => store.get().selected?.kind ?? 'node';
@@ -107,15 +109,15 @@ function createView(run, store, model, renderer, stand, over) {
         magnify(by) { camera.magnify(by); redraw(); },
         reset() { camera.reset(); redraw(); },
         clear: () => select(-1),
-        move: (direction) => selectAndTurn(seen.next(selectedItem(), direction, kindNow())),
+        move: (direction) => select(seen.next(selectedItem(), direction, kindNow())),
         step(by) {
             const { count } = run.kind[kindNow()];
             const index = store.get().selected?.index ?? (by > 0 ? -1 : 0);
-            selectAndTurn(shapes.find(kindNow(), (index + by + count) % count));
+            select(shapes.find(kindNow(), (index + by + count) % count));
         },
         nextKind() {
             const keys = run.kinds.map((kind) => kind.key);
-            selectAndTurn(shapes.find(keys[(keys.indexOf(kindNow()) + 1) % keys.length], 0));
+            select(shapes.find(keys[(keys.indexOf(kindNow()) + 1) % keys.length], 0));
         },
         point(x, y, event) {
             pointed = seen.at(x, y);
@@ -131,7 +133,7 @@ function createView(run, store, model, renderer, stand, over) {
     };
 
     store.follow(['metric', 'bin'], recolour);
-    store.follow(['selected'], redrawOverlay);
+    store.follow(['selected'], showSelected);
     onResize(stand, redraw);
     onThemeChange(recolour);
     return { actions };
@@ -139,5 +141,5 @@ function createView(run, store, model, renderer, stand, over) {
 
 function isInView(camera, point) {
     const { back } = camera.axes();
-    return point[0] * back[0] + point[1] * back[1] + point[2] * back[2] > 0.35 * Math.hypot(...point);
+    return point[0] * back[0] + point[1] * back[1] + point[2] * back[2] > 0.25 * Math.hypot(...point);
 }

@@ -6,7 +6,7 @@ import { add, mean } from './vectors.js';
 
 const GAP = 0.05; // of a cell, left free around it
 const HEIGHT = 1.5; // of the host above a screen that is 2 wide
-const DEPTH = 0.42;
+const BELOW = 0.3; // in front of the screen and under it
 const BAR = [0.8, 0.03, 0.03]; // of what lies below the screen
 
 // What each part hands on to.
@@ -67,9 +67,10 @@ function addCells(shapes, cells) {
     });
 }
 
-// One that hands on to many is a bar, as a bus is drawn.
-function boxSize(place, fanOut) {
-    const side = Math.min(Math.max(0.11 * Math.sqrt(place.area), 0.008), 0.045);
+// One that hands on to many is a bar, as a bus is drawn. Of many parts each is small.
+function boxSize(place, fanOut, parts) {
+    const largest = 0.045 * Math.min(1, (24 / parts) ** 0.4);
+    const side = Math.min(Math.max(0.11 * Math.sqrt(place.area), 0.008), largest);
     return fanOut > 2 ? [Math.max(0.4 * Math.sqrt(place.area), side), side / 2, side / 2] : [side, side, side];
 }
 
@@ -88,20 +89,21 @@ function addTree(shapes, run, cells) {
         if (place !== 'before') {
             return;
         }
-        const size = boxSize(places[part], children[part].nodes.length);
+        const size = boxSize(places[part], children[part].nodes.length, parts.length);
         addBox(shapes, 'part', part, at[part], size);
         children[part].parts.forEach((child) => shapes.addLine(at[part], at[child]));
         children[part].nodes.forEach((node) => shapes.addLine(tapOf(at[part], size, cells[node].middle), cells[node].middle));
     });
     parts.forEach(({ place, parent }, part) => {
         if (place === 'beside') {
-            const size = boxSize(places[parent], children[parent].nodes.length);
+            const size = boxSize(places[parent], children[parent].nodes.length, parts.length);
             const position = add(at[parent], [0, 0, -0.3 * at[parent][2]]);
             addBox(shapes, 'part', part, position, size);
             shapes.addLine(position, at[parent]);
         } else if (place === 'behind') {
-            addBox(shapes, 'part', part, [0, 0, -DEPTH], BAR);
-            cells.forEach((cell) => shapes.addLine(cell.middle, tapOf([0, 0, -DEPTH], BAR, cell.middle)));
+            const front = Math.min(...cells.map((cell) => cell.bottom)) - BELOW;
+            addBox(shapes, 'part', part, [0, front, -BELOW], BAR);
+            cells.forEach((cell) => shapes.addLine(cell.middle, tapOf([0, front, -BELOW], BAR, cell.middle)));
         }
     });
 }
@@ -111,6 +113,5 @@ export function drawScreen(run) {
     const cells = placeCells(run);
     addCells(shapes, cells);
     addTree(shapes, run, cells);
-    const behind = run.drawing.parts.some((part) => part.place === 'behind');
-    return { shapes, radius: 1.38, target: [0, 0, behind ? 0.25 : 0.42], culls: false, view: { azimuth: -106, elevation: 24 }, turns: 'the screen' };
+    return { shapes, radius: 1.45, target: [0, 0, 0.42], culls: false, view: { azimuth: -106, elevation: 24 }, turns: 'the screen' };
 }

@@ -36,7 +36,7 @@ export function createShapes() {
 
 // Many lines must not hide what is behind them.
 export function lineStrength(lines) {
-    return Math.min(1, Math.max(0.3, 48 / lines.length));
+    return Math.min(1, Math.max(0.45, 48 / lines.length));
 }
 
 // A ribbon along a path on a surface, to the right of its middle line, narrower towards its end so

@@ -4,7 +4,9 @@
 import { addRibbon, createShapes } from './shapes.js';
 import { add, between, cross, dot, mean, scale, subtract, unit } from './vectors.js';
 
-const CELL = 0.82; // of its full size, where links need room
+const CELL = 0.82; // of its full size, where links need room ...
+const SMALL_CELL = 0.9; // ... and where it is so small that its colour is what counts
+const MANY = 3000;
 const WHOLE_CELL = 0.94;
 const BRIDGE = [0.38, 0.62]; // the part of a link that is seen
 
@@ -47,7 +49,7 @@ export function drawSphere(run) {
     const shapes = createShapes();
     const cells = triangles.length > 0 ? dualCells(positions, triangles) : patches(positions);
     cells.forEach((corners, node) => {
-        const size = links ? CELL : WHOLE_CELL;
+        const size = links ? (positions.length > MANY ? SMALL_CELL : CELL) : WHOLE_CELL;
         shapes.addGround(corners.map((corner) => scale(corner, 0.99)));
         shapes.addFace('node', node, corners.map((corner) => between(positions[node], corner, size)));
     });
