@@ -63,10 +63,10 @@ function cpp(page) {
 namespace rasterloom::observe {
 
 std::optional<std::string> page_template() {
-    constexpr std::array<std::string_view, ${parts.length}> kParts{
+    constexpr std::array<const char*, ${parts.length}> kParts{
 ${parts.join(',\n')}};
     std::string page;
-    for (const std::string_view part : kParts) {
+    for (const char* part : kParts) {
         page += part;
     }
     return page;

@@ -63,7 +63,7 @@ RunTimeline small_timeline() {
                           .first_link = {0, 1, 2},
                           .links = 2,
                           .link_latency = Duration::microseconds(1),
-                          .parts = 0,
+                          .parts = {},
                           .cycle = Duration::microseconds(5)});
     timeline.interval_ended({0, NodeState::busy, 0, at_us(0), at_us(400)});
     timeline.interval_ended({0, NodeState::waiting_input, 0, at_us(400), at_us(1000)});

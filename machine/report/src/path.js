@@ -44,6 +44,13 @@ function selectButton(run, store, { kind, name }) {
     return name;
 }
 
+// Where the run looked for them (--bottlenecks).
+function lineTable(path) {
+    const lines = path.lines ?? [];
+    return lines.length === 0 ? null : barTable('Lines of the programs', ['Line', 'Instructions'],
+        lines.slice(0, MOST_COMPONENTS).map((part) => ({ cells: [`${part.file}:${part.line}`, count(part.instructions)], ps: part.time_ps })), path.duration_ps);
+}
+
 function show(body, run, store, path) {
     const whole = path.duration_ps;
     body.replaceChildren(
@@ -52,6 +59,7 @@ function show(body, run, store, path) {
             barTable('By kind', ['Kind', 'Steps'], path.kinds.map((part) => ({ cells: [part.kind, count(part.steps)], ps: part.time_ps })), whole),
             phaseTable(path),
             path.activities.length > 0 ? barTable('Programs on it were at', ['Activity'], path.activities.map((part) => ({ cells: [part.name], ps: part.time_ps })), whole) : null,
+            lineTable(path),
             barTable('Components', ['Kind', 'Name', 'Steps'], path.components.slice(0, MOST_COMPONENTS).map((part) => ({ cells: [part.kind, selectButton(run, store, part), count(part.steps)], ps: part.time_ps })), whole)),
     );
 }

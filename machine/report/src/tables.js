@@ -2,7 +2,7 @@
 // Everything as tables: a click or Enter on a column's head sorts, rows come by pages, the name of a
 // component selects it.
 import { element, heading } from './dom.js';
-import { cell, count, label } from './format.js';
+import { cell, count, label, plural } from './format.js';
 
 const PAGE = 20;
 
@@ -100,7 +100,7 @@ function pager(table, state, show) {
             before.disabled = state.page === 0;
             next.disabled = last >= rows;
             before.hidden = next.hidden = table.rows.length <= PAGE;
-            text.textContent = rows === 0 ? 'none' : rows <= PAGE ? `${count(rows)} rows` : `${count(first + 1)} to ${count(last)} of ${count(rows)}`;
+            text.textContent = rows === 0 ? 'none' : rows <= PAGE ? plural(rows, 'row') : `${count(first + 1)} to ${count(last)} of ${count(rows)}`;
         },
     };
 }
