@@ -26,6 +26,8 @@ constexpr const char* kFooter =
     "  rasterloom run configs/geodesic482.yaml --set scene.rotate.start=180\n"
     "      (the first frame is turned by 180 degrees already)\n"
     "  rasterloom describe configs/geodesic482.yaml\n"
+    "  rasterloom run configs/geodesic482.yaml --report\n"
+    "      (report.html: all of it to look at in a browser)\n"
     "  rasterloom run configs/geodesic482.yaml --bottlenecks\n"
     "  rasterloom run configs/geodesic482.yaml --trace teapot.sqlite\n"
     "  rasterloom bottlenecks teapot.sqlite\n"

@@ -172,9 +172,10 @@ Json drawing_json(const MachineDrawing& drawing) {
 Json tables_json(const RunReport& report) {
     Json tables;
     tables["nodes"] = packed(nodes_csv(report));
-    if (report.fabric.empty()) {
+    if (!report.links.empty()) {
         tables["links"] = packed(links_csv(report));
-    } else {
+    }
+    if (!report.fabric.empty()) {
         tables["parts"] = packed(fabric_csv(report.fabric, report.end.since_start()));
     }
     return tables;

@@ -3,9 +3,10 @@
 // looks at it in a browser, as docs/report.md says it works. Ends with status 77, for skipped, where
 // there is no Chromium. RASTERLOOM_SCREENSHOTS=DIR keeps what it saw.
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join, resolve } from 'node:path';
+import { deflateSync } from 'node:zlib';
 import { emulate, openReport, startBrowser } from './browser.mjs';
 import * as checks from './checks.mjs';
 import { readFiles } from './files.mjs';
@@ -90,11 +91,35 @@ async function goesThroughFrames(browser, folder) {
     await report.close();
 }
 
+// A ring with a controller that feeds it, in a state that no machine of ours has: nothing in the page
+// knows of it.
+async function showsAMachineOfAnotherKind(browser, folder) {
+    const file = join(folder, 'another.html');
+    writeFileSync(file, readFileSync(join(folder, 'report.html'), 'utf8').replace(/(id="run">)(.*?)(<\/script>)/s, (_, start, text, end) => {
+        const run = JSON.parse(text);
+        run.tables.parts = deflateSync('name,kind,busy_ps,blocked_ps\ncontroller,controller,9000000,0\nmaster,host,1000000,0\n').toString('base64');
+        run.drawing.parts = [{ place: 'before', parent: 1 }, { place: 'before', parent: null }];
+        run.drawing.fed_by = run.drawing.positions.map(() => 0);
+        Object.assign(run.timeline.series.find((series) => series.name === 'waiting_input'), { name: 'masked', label: 'switched off' });
+        return start + JSON.stringify(run).replaceAll('<', '\\u003c') + end;
+    }));
+    const report = await openReport(browser, file);
+    const { page } = report;
+    assert.deepEqual(await page.$eval('#drawing', ({ dataset }) => [dataset.cells, dataset.parts]), ['16', '2']);
+    assert.match(await page.textContent('#timelines'), /switched off/);
+    await page.fill('#find', 'controller');
+    await page.keyboard.press('Enter');
+    assert.match(await page.textContent('#selected-name'), /controller/);
+    assert.match(await page.textContent('.connections'), /master.*R0.*R15/);
+    assert.deepEqual(report.complaints, []);
+    await report.close();
+}
+
 async function playsTime(browser, folder) {
     const report = await openReport(browser, join(folder, 'report.html'));
     const { page } = report;
-    const still = await page.locator('#drawing').screenshot();
     await page.focus('#drawing');
+    const still = await page.locator('#drawing').screenshot();
     await page.keyboard.press('ArrowLeft');
     await page.keyboard.press('Home');
     assert.ok(still.equals(await page.locator('#drawing').screenshot()), 'Home does not bring the first view back');
@@ -147,6 +172,7 @@ try {
         ['splitter16 without WebGL', () => drawsFlatWithoutWebgl(browser, join(folder, 'splitter16'))],
         ['light, dark and on paper', () => isDarkWherePreferred(browser, join(folder, 'geodesic482'))],
         ['frames', () => goesThroughFrames(browser, join(folder, 'frames'))],
+        ['a machine of another kind', () => showsAMachineOfAnotherKind(browser, join(folder, 'ring'))],
         ['playing', () => playsTime(browser, join(folder, 'geodesic482'))],
     ], ([name, work]) => attempt(name, work));
 } finally {

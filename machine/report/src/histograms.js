@@ -61,7 +61,7 @@ function draw({ title, what, unit, bars }) {
         return svg('rect', { x: MARGIN.left + i * wide + 0.5, y: MARGIN.top + tall - height, width: Math.max(wide - 1, 0.5), height, class: 'bar' },
             svg('title', {}, `${bar.label}: ${count(bar.count)}`));
     });
-    const tops = [0, 0.5, 1].map((share) => svg('text', { x: MARGIN.left - 6, y: MARGIN.top + tall * (1 - share) + 4, class: 'axis', 'text-anchor': 'end' }, count(Math.round(share * most))));
+    const tops = (most > 1 ? [0, 0.5, 1] : [0, 1]).map((share) => svg('text', { x: MARGIN.left - 6, y: MARGIN.top + tall * (1 - share) + 4, class: 'axis', 'text-anchor': 'end' }, count(Math.round(share * most))));
     const base = svg('line', { x1: MARGIN.left, x2: WIDTH - MARGIN.right, y1: MARGIN.top + tall, y2: MARGIN.top + tall, class: 'base' });
     const caption = svg('text', { x: (MARGIN.left + WIDTH) / 2, y: HEIGHT - 4, class: 'axis', 'text-anchor': 'middle' }, unit);
     const highest = bars.find((bar) => bar.count === most) ?? bars[0];

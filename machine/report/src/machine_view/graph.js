@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Processors in a plane, as discs where the topology puts them; each direction of a link is a lane of
 // its own, on the right. A link that would run over other processors bends around them.
+import { addParts } from './parts.js';
 import { addRibbon, createShapes } from './shapes.js';
 import { add, between, length, scale, subtract } from './vectors.js';
 
@@ -70,5 +71,13 @@ export function drawGraph(run) {
         const path = linkPath(positions[from], positions[to], 1.1 * radius, bends ? 0.5 * apart : 0);
         addRibbon(shapes, link, path, path.map(() => UP), (bends ? 0.16 : 0.3) * radius, 0.12 * radius);
     }
-    return { shapes, radius: Math.max(...positions.map(length)) + 1.5 * radius, target: [0, 0, 0], culls: false, view: { azimuth: -90, elevation: bent ? 62 : 88 }, turns: 'the plane' };
+    const { parts } = run.drawing;
+    addParts(shapes, run, positions.map((at) => ({ middle: at, area: (2 * radius) ** 2, bottom: at[1] - radius })));
+    return {
+        shapes,
+        radius: parts.length > 0 ? 1.45 : Math.max(...positions.map(length)) + 1.5 * radius,
+        target: [0, 0, parts.length > 0 ? 0.42 : 0],
+        culls: false,
+        view: { azimuth: -90, elevation: parts.length > 0 ? 30 : bent ? 62 : 88 },
+    };
 }

@@ -28,7 +28,8 @@ export function createMachineView(root, run, store) {
     root.append(heading('machine-title', 'Machine'), createLegend(run, store), stand, ...explanations(run), note);
     const renderer = createWebgl(canvas, model) ?? withoutWebgl(root, canvas, model);
     stand.dataset.renderer = renderer.name;
-    stand.dataset.cells = new Set(model.shapes.faces.map((face) => face.item).filter((item) => model.shapes.items[item]?.kind === 'node')).size;
+    stand.dataset.cells = model.shapes.items.filter((item) => item.kind === 'node' && item.faces.length > 0).length;
+    stand.dataset.parts = model.shapes.items.filter((item) => item.kind === 'part' && item.faces.length > 0).length;
     const view = createView(run, store, model, renderer, stand, over);
     handleKeys(stand, view.actions);
     handlePointer(stand, view.actions);

@@ -60,5 +60,5 @@ export function drawSphere(run) {
         const apart = Math.hypot(...subtract(to, from));
         addRibbon(shapes, link, path, path.map(unit), 0.09 * apart, 0.035 * apart);
     }
-    return { shapes, radius: 1, target: [0, 0, 0], culls: true, view: { azimuth: 180, elevation: 14 }, turns: 'the sphere' };
+    return { shapes, radius: 1, target: [0, 0, 0], culls: true, view: { azimuth: 180, elevation: 14 } };
 }
