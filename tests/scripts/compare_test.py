@@ -107,7 +107,7 @@ class Limits(unittest.TestCase):
         self.assertEqual(self.limit(("link", "a > b", 30), ("link", "b > c", 30), ("node", "P0", 40))[0], "links (60 %)")
         self.assertEqual(self.limit(("bus", "1", 70), ("node", "P0", 30))[0], "bus 1 (70 %)")
         self.assertEqual(self.limit(("splitter", "2", 70), ("node", "P0", 30))[0], "splitter 2 (70 %)")
-        self.assertEqual(self.limit(("wire", "from host", 70), ("node", "P0", 30))[0], "host (70 %)")
+        self.assertEqual(self.limit(("host", "host", 70), ("node", "P0", 30))[0], "host (70 %)")
         self.assertTrue(re.match("waiting", self.limit(("wire", "from link", 70), ("node", "P0", 30))[0]))
 
 
