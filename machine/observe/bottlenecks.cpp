@@ -36,18 +36,22 @@ Database open_trace(const std::filesystem::path& path) {
 // What the frames, taken together, spent most of their time on.
 std::vector<HotSpot> hot_spots(const Database& trace, Duration run) {
     std::vector<HotSpot> spots;
+    // The wires behind components of one kind are one: nobody makes a single wire shorter.
     Statement longest = trace.prepare(
-        "SELECT component, kind, name, sum(to_ps - from_ps) AS time FROM path_step JOIN component "
-        "ON component.id = component WHERE NOT on_wire GROUP BY component ORDER BY time DESC, "
-        "component LIMIT ?");
+        "SELECT CASE WHEN on_wire THEN -1 ELSE component END AS part, CASE WHEN on_wire THEN "
+        "'wires' ELSE kind END, CASE WHEN on_wire THEN 'behind ' || kind || 's' ELSE name END AS "
+        "what, sum(to_ps - from_ps) AS time FROM path_step JOIN component ON component.id = "
+        "component GROUP BY part, what ORDER BY time DESC, what LIMIT ?");
     longest.bind(1, static_cast<std::int64_t>(kHotSpots));
     while (longest.step()) {
         HotSpot spot;
         spot.who = {longest.column<std::string>(1), longest.column<std::string>(2)};
         spot.on_path = Duration::picoseconds(longest.column<std::int64_t>(3));
         const auto component = longest.column<std::int64_t>(0);
-        describe_queue(trace, component, run, spot);
-        spot.waiters = who_waited_for(trace, component);
+        if (component >= 0) {
+            describe_queue(trace, component, run, spot);
+            spot.waiters = who_waited_for(trace, component);
+        }
         spots.push_back(std::move(spot));
     }
     return spots;

@@ -69,9 +69,10 @@ struct Balance {
     double imbalance() const;  // most over mean; 1 where there is no work
 };
 
-// A component that held up others: its queue, and who they were.
+// What held up others: a component, its queue, and who they were; or all wires behind one kind of
+// component.
 struct HotSpot {
-    ComponentLabel who;
+    ComponentLabel who;         // kind "wires", name "behind links"
     Duration on_path;           // of all frames
     std::vector<double> queue;  // messages that waited for it, on average, by parts of the run
     int longest_queue = 0;

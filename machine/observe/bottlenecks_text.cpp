@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@ namespace {
 
 constexpr std::size_t kShown = 8;        // components, lines
 constexpr std::size_t kShownFrames = 3;  // paths
+constexpr double kStandsOut = 10;        // percent of the frames' time
 
 double percent(Duration part, Duration whole) {
     return 100 * share(part, whole);
@@ -37,6 +40,17 @@ std::string sparkline(const std::vector<double>& values) {
     return text;
 }
 
+std::pair<std::string, Duration> longest_kind(const Bottlenecks& found) {
+    std::map<std::string, Duration> kinds;
+    for (const PathQuestions& path : found.paths) {
+        for (const PathShare& kind : path.kinds) {
+            kinds[kind.who.kind] += kind.time;
+        }
+    }
+    return *std::max_element(kinds.begin(), kinds.end(),
+                             [](const auto& a, const auto& b) { return a.second < b.second; });
+}
+
 void add_hot_spots(std::string& text, const Bottlenecks& found) {
     const auto out = std::back_inserter(text);
     Duration frames;
@@ -44,6 +58,16 @@ void add_hot_spots(std::string& text, const Bottlenecks& found) {
         frames += path.length;
     }
     const char* title = "Bottleneck: ";
+    if (found.hot_spots.empty()) {
+        return;
+    }
+    // No single one stands out: all of a kind do, by turns.
+    if (percent(found.hot_spots.front().on_path, frames) < kStandsOut) {
+        const auto [kind, time] = longest_kind(found);
+        fmt::format_to(out, "{:<12}{}{} by turns, for {:.1f}% of the frames' time\n", title, kind,
+                       kind.ends_with('s') ? "es" : "s", percent(time, frames));
+        title = "longest:";
+    }
     for (const HotSpot& spot : found.hot_spots) {
         fmt::format_to(out, "{:<12}{}, for {:.1f}% of the frames' time\n", title,
                        full_name(spot.who), percent(spot.on_path, frames));
