@@ -53,9 +53,9 @@ class PartProbe : public Probe<PartListener> {
     void take(ComponentId part, Time now) const {
         tell([&](PartListener& listener) { listener.message_came(part, now); });
     }
-    void pass(ComponentId part, const Message& message, Time now) const {
+    void pass(ComponentId part, ComponentId from, const Message& message, Time now) const {
         tell([&](PartListener& listener) {
-            listener.message_passed(part, record_of(message, 0, now));
+            listener.message_passed(part, record_of(message, from, 0, now));
         });
     }
 

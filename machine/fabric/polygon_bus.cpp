@@ -150,7 +150,6 @@ void PolygonBus::hand_to(std::size_t listener, Time end) {
     OutputFifo& output = listeners_[listener];
     Message& message = output.add();
     message.id = from.id;
-    message.source = from.source;
     message.port = from.port;
     message.queued = now();
     message.bytes.reserve(kMaxPolygonMessageBytes);  // once: the place is used again
@@ -164,7 +163,7 @@ void PolygonBus::hand_to(std::size_t listener, Time end) {
 
 void PolygonBus::end() {
     busy_ = false;
-    probe_.pass(id(), input_.oldest(), now());
+    probe_.pass(id(), peer(kInput), input_.oldest(), now());
     input_.drop_oldest(now());
     send(kInput, static_cast<EventKind>(MessageEvent::credit), 0, now());
 }

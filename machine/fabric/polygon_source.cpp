@@ -137,7 +137,6 @@ void PolygonSource::hand_on() {
 void PolygonSource::hand_on_message() {
     Message& message = output_.add();
     message.id = static_cast<std::uint64_t>(settings_.node) << 32U | sent_++;
-    message.source = settings_.node;
     message.queued = ready_since_;
     if (at_end()) {
         write_end_of_frame(message.bytes, 0);

@@ -126,7 +126,7 @@ bool PolygonSplitter::hand_on() {
             hand_on(output);
         }
     }
-    probe_.pass(id(), input_.oldest(), now());
+    probe_.pass(id(), peer(kInput), input_.oldest(), now());
     input_.drop_oldest(now());
     send(kInput, static_cast<EventKind>(MessageEvent::credit), 0, now());
     return true;
@@ -136,7 +136,6 @@ void PolygonSplitter::hand_on(Output& output) {
     const Message& from = input_.oldest();
     Message& message = output.fifo.add();
     message.id = from.id;
-    message.source = from.source;
     message.port = from.port;
     message.queued = now();
     const auto hops = static_cast<std::uint8_t>(hops_of_polygon_message(from.bytes) + 1);

@@ -122,7 +122,7 @@ void TurnBus::take_end(std::size_t processor) {
     Station& station = stations_[processor];
     end_ = *station.message;
     write_end_of_frame(end_.bytes, 0);
-    probe_.pass(id(), *station.message, now());
+    probe_.pass(id(), peer(input_port(static_cast<int>(processor))), *station.message, now());
     station.message = nullptr;
     station.ended = true;
     ++ended_;
@@ -148,7 +148,8 @@ void TurnBus::broadcast() {
         ended_ = 0;
         turn_ = 0;
     } else {
-        probe_.pass(id(), *station.message, now() + occupied);
+        probe_.pass(id(), peer(input_port(static_cast<int>(turn_))), *station.message,
+                    now() + occupied);
         station.message = nullptr;
         --waiting_;
         send(input_port(static_cast<int>(turn_)), static_cast<EventKind>(MessageEvent::done), 1,
@@ -167,7 +168,6 @@ void TurnBus::send_to_all(const Message& from, Duration occupied) {
         OutputFifo& receiver = stations_[i].receiver;
         Message& message = receiver.add();
         message.id = from.id;
-        message.source = from.source;
         message.port = from.port;
         message.queued = now();
         message.bytes = from.bytes;

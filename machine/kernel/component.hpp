@@ -49,6 +49,8 @@ class Component {
     // One that may stay open keeps its number where there is nothing to join it with; nothing may
     // be sent over it then.
     PortIndex add_port(std::string port_name, bool may_stay_open = false);
+    // At the other end of the wire, once the machine is sealed.
+    ComponentId peer(PortIndex port) const { return ports_[static_cast<std::size_t>(port)].peer_; }
     // Promises that what is sent at this port departs at least `delay` after the time at which the
     // component is given the event that makes it send. Before the machine is sealed.
     void promise_delay(PortIndex port, Duration delay) {

@@ -22,15 +22,17 @@ namespace rasterloom {
 
 using topology::NodeIndex;
 
+// As large as a cache line: machines hand on millions of them.
 struct Message {
-    std::uint64_t id = 0;  // see MessageRecord
-    NodeIndex source = 0;
-    std::uint8_t port = 0;  // of the source
+    std::uint64_t id = 0;        // see MessageRecord
+    std::uint32_t delivery = 0;  // sequence of the event that delivered it
+    std::uint8_t port = 0;       // of the source
     std::vector<std::uint8_t> bytes;
     Time queued;
     Time started;
     Time delivered;
-    EventId delivery = kNoCause;
+
+    NodeIndex source() const { return static_cast<NodeIndex>(id >> 32U); }
 };
 
 // The life of a message over one hop, as observers are told when it is consumed.
@@ -49,10 +51,12 @@ struct MessageRecord {
     EventId delivery = kNoCause;  // the event that brought it there
 };
 
-inline MessageRecord record_of(const Message& message, NodeIndex destination, Time consumed) {
+// `deliverer`: at the other end of the wire by which it came.
+inline MessageRecord record_of(const Message& message, ComponentId deliverer, NodeIndex destination,
+                               Time consumed) {
     const auto bytes = static_cast<std::uint32_t>(message.bytes.size());
     return {message.id,
-            message.source,
+            message.source(),
             message.port,
             destination,
             bytes,
@@ -62,7 +66,7 @@ inline MessageRecord record_of(const Message& message, NodeIndex destination, Ti
             message.started,
             message.delivered,
             consumed,
-            message.delivery};
+            {deliverer, message.delivery}};
 }
 
 // Kinds of event at message ports. No two protocols share a number: who listens to causes can tell
@@ -116,7 +120,7 @@ inline Message* message_of(const Event& event) {
 // Likewise, for the one to whom the event delivers it.
 inline Message* delivered_message(const Event& event) {
     Message* message = message_of(event);
-    message->delivery = id_of(event);
+    message->delivery = event.sequence;
     return message;
 }
 

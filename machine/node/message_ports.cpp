@@ -55,7 +55,6 @@ void MessagePorts::enqueue(int port_number, std::span<const std::uint8_t> bytes,
     Message& message = port.places[port.next_place];
     port.next_place = (port.next_place + 1) % static_cast<std::uint32_t>(port.places.size());
     message.id = static_cast<std::uint64_t>(node_) << 32U | sent_++;
-    message.source = node_;
     message.port = static_cast<std::uint8_t>(port_number);
     if (message.bytes.capacity() < bytes.size()) {
         message.bytes.reserve(

@@ -238,7 +238,7 @@ isa::Bus::Status Processor::write_rxaddr(int port, std::uint32_t address) {
                                   message.bytes.size(), format_word(address, settings_.radix)));
     }
     core_->write_memory(address, message.bytes);
-    tell_consumed(message);
+    tell_consumed(port, message);
     ports_.consume_oldest(port, local_time_);
     send(receive_port(port), static_cast<EventKind>(MessageEvent::credit), 0, local_time_);
     if (ports_.waiting(port) == 0) {
@@ -295,9 +295,10 @@ void Processor::transmit() {
     }
 }
 
-void Processor::tell_consumed(const Message& message) const {
+void Processor::tell_consumed(int port, const Message& message) const {
     meter_.probe().tell([&](NodeListener& listener) {
-        listener.message_consumed(record_of(message, settings_.node, local_time_));
+        listener.message_consumed(
+            record_of(message, peer(receive_port(port)), settings_.node, local_time_));
     });
 }
 
