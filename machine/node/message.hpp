@@ -35,20 +35,21 @@ struct Message {
     NodeIndex source() const { return static_cast<NodeIndex>(id >> 32U); }
 };
 
-// The life of a message over one hop, as observers are told when it is consumed.
+// The life of a message over one hop, as observers are told when it is consumed. A cache line, too.
 struct MessageRecord {
     std::uint64_t id = 0;  // source node x 2^32 + how many the source had sent before
-    NodeIndex source = 0;
-    std::uint8_t port = 0;
     NodeIndex destination = 0;
     std::uint32_t bytes = 0;
+    EventId delivery = kNoCause;  // the event that brought it to the input queue
+    std::uint8_t port = 0;        // of the source
     std::uint8_t kind = 0;        // byte 0, by the programs' convention
     std::uint8_t hops = 0;        // byte 1, likewise; 0 for a message of one byte
     Time queued;                  // the program wrote TXLEN
     Time started;                 // the link took it
     Time delivered;               // it stood in the receiver's input queue
     Time consumed;                // the receiving program wrote RXADDR
-    EventId delivery = kNoCause;  // the event that brought it there
+
+    NodeIndex source() const { return static_cast<NodeIndex>(id >> 32U); }
 };
 
 // `deliverer`: at the other end of the wire by which it came.
@@ -56,17 +57,16 @@ inline MessageRecord record_of(const Message& message, ComponentId deliverer, No
                                Time consumed) {
     const auto bytes = static_cast<std::uint32_t>(message.bytes.size());
     return {message.id,
-            message.source(),
-            message.port,
             destination,
             bytes,
+            {deliverer, message.delivery},
+            message.port,
             message.bytes[0],
             bytes > 1 ? message.bytes[1] : std::uint8_t{0},
             message.queued,
             message.started,
             message.delivered,
-            consumed,
-            {deliverer, message.delivery}};
+            consumed};
 }
 
 // Kinds of event at message ports. No two protocols share a number: who listens to causes can tell

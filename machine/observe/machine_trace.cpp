@@ -118,7 +118,7 @@ PerfettoFile::Track MachineTrace::link_track(const MessageRecord& message) {
 // The one at the other end is named where there are links; a polygon comes from the host.
 PerfettoFile::Name MachineTrace::name_of(Part part, const MessageRecord& message) {
     const bool whose = part != Part::carried && !names_.links.empty();
-    const NodeIndex other = part == Part::sent ? message.destination : message.source;
+    const NodeIndex other = part == Part::sent ? message.destination : message.source();
     const std::uint64_t key = (whose ? std::uint64_t{other} : 0) << 32U |
                               std::uint64_t{message.bytes} << 16U |
                               std::uint64_t{message.kind} << 8U | static_cast<std::uint64_t>(part);
@@ -159,8 +159,8 @@ void MachineTrace::message_consumed(const MessageRecord& message) {
         return;
     }
     const std::vector<PerfettoFile::Flow> arrow{message.id + 1};
-    file_.instant(track(names_.nodes[message.source]), name_of(Part::sent, message), message.queued,
-                  arrow, false);
+    file_.instant(track(names_.nodes[message.source()]), name_of(Part::sent, message),
+                  message.queued, arrow, false);
     file_.slice(link_track(message), name_of(Part::carried, message), message.started,
                 message.delivered - names_.latency, arrow);
     file_.instant(track(destination), name_of(Part::taken, message), message.consumed, arrow, true);

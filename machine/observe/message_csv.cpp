@@ -25,7 +25,7 @@ MessageCsv::MessageCsv(const std::filesystem::path& path)
 
 void MessageCsv::message_consumed(const MessageRecord& message) {
     fmt::format_to(std::back_inserter(buffer_), "{},{},{},{},{},{},{},{},{},{},{}\n", message.id,
-                   message.source, message.port, message.destination, message.kind, message.bytes,
+                   message.source(), message.port, message.destination, message.kind, message.bytes,
                    message.hops, message.queued.picoseconds(), message.started.picoseconds(),
                    message.delivered.picoseconds(), message.consumed.picoseconds());
     if (buffer_.size() >= kFlushAt) {

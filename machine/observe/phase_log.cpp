@@ -12,7 +12,7 @@ void PhaseLog::message_consumed(const MessageRecord& message) {
     // Byte 1 counts the hops before this one.
     current_.longest_route = std::max<std::int64_t>(current_.longest_route, message.hops + 1);
     if (round_) {
-        senders_.push_back({message.started, message.source});
+        senders_.push_back({message.started, message.source()});
     }
 }
 

@@ -92,14 +92,14 @@ void RunTimeline::message_consumed(const MessageRecord& message) {
     latencies_.add(latency_class(message.consumed - message.queued));
     hops_.add(message.hops + 1);
     // A message that a part of the fabric hands on has no node at its other end.
-    if (message.source < subjects_.first_link.size() && subjects_.links > 0) {
-        bins_->add(node_output_ + message.source, message.queued, message.started);
+    if (message.source() < subjects_.first_link.size() && subjects_.links > 0) {
+        bins_->add(node_output_ + message.source(), message.queued, message.started);
         count_link(message);
     }
 }
 
 void RunTimeline::count_link(const MessageRecord& message) {
-    const std::size_t link = subjects_.first_link[message.source] + message.port;
+    const std::size_t link = subjects_.first_link[message.source()] + message.port;
     bins_->add(link_busy_ + link, message.started, message.delivered - subjects_.link_latency);
     bins_->add(link_queue_ + link, message.queued, message.started);
     // Several wait at once: the time counts for the oldest of them.

@@ -162,8 +162,9 @@ void SqliteTrace::part_interval_ended(const PartInterval& interval) {
 }
 
 void SqliteTrace::write_message(const MessageRecord& message, ComponentId receiver) {
-    const ComponentId source =
-        message.source < names_.nodes.size() ? names_.nodes[message.source] : names_.parts.front();
+    const ComponentId source = message.source() < names_.nodes.size()
+                                   ? names_.nodes[message.source()]
+                                   : names_.parts.front();
     const std::optional<EventId> parent =
         causes_ != nullptr ? causes_->message_behind(message.delivery) : std::nullopt;
     rows_->add(kMessageTable,

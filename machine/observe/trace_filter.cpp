@@ -22,7 +22,7 @@ TraceFilter::TraceFilter(std::unique_ptr<TraceSink> sink, const TraceWindow& win
 bool TraceFilter::wants(const MessageRecord& message, ComponentId receiver) const {
     return covers(message.queued, message.consumed) &&
            (has(receiver) || has(message.delivery.source) ||
-            (message.source < nodes_.size() && has(nodes_[message.source])));
+            (message.source() < nodes_.size() && has(nodes_[message.source()])));
 }
 
 void TraceFilter::interval_ended(const StateInterval& interval) {

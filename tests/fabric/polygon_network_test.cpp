@@ -178,7 +178,7 @@ using Row = std::tuple<std::uint64_t, NodeIndex, NodeIndex, std::uint8_t, Time, 
 std::vector<Row> rows(const PolygonMachine& machine) {
     std::vector<Row> all;
     for (const MessageRecord& m : machine.messages) {
-        all.emplace_back(m.id, m.source, m.destination, m.hops, m.queued, m.started, m.delivered,
+        all.emplace_back(m.id, m.source(), m.destination, m.hops, m.queued, m.started, m.delivered,
                          m.consumed);
     }
     std::sort(all.begin(), all.end());

@@ -137,7 +137,7 @@ void check_messages(const Scenario& scenario, const ScriptMachine& machine) {
                                  message.bytes * scenario.settings.link.time_per_byte;
         RC_ASSERT(message.delivered == message.started + nominal + scenario.settings.link.latency);
         RC_ASSERT(message.consumed >= message.delivered);
-        RC_ASSERT(scenario.topology.ports[message.source][message.port] == message.destination);
+        RC_ASSERT(scenario.topology.ports[message.source()][message.port] == message.destination);
     }
     for (const Processor* processor : machine.processors) {
         for (int port = 0; port < processor->message_ports().count(); ++port) {
@@ -153,7 +153,7 @@ void check_messages(const Scenario& scenario, const ScriptMachine& machine) {
 void check_links(const Scenario& scenario, const ScriptMachine& machine) {
     const auto capacity = static_cast<std::size_t>(scenario.settings.link.input_queue);
     const auto by_link = group(machine.messages, [](const MessageRecord& message) {
-        return std::int64_t{message.source} * kMaxPorts + message.port;
+        return std::int64_t{message.source()} * kMaxPorts + message.port;
     });
     for (const auto& [ignored, link] : by_link) {
         for (std::size_t i = 1; i < link.size(); ++i) {
@@ -175,7 +175,7 @@ void check_turns(const Scenario& scenario, const ScriptMachine& machine) {
         return;
     }
     const auto by_node =
-        group(machine.messages, [](const MessageRecord& m) { return std::int64_t{m.source}; });
+        group(machine.messages, [](const MessageRecord& m) { return std::int64_t{m.source()}; });
     for (const auto& [ignored, node] : by_node) {
         for (std::size_t i = 1; i < node.size(); ++i) {
             RC_ASSERT(node[i].started >= node[i - 1].started + occupied(scenario, node[i - 1]));

@@ -118,8 +118,8 @@ TEST(TurnBus, GivesEverybodyAllDigestsInTheOrderOfThePolygonsForAnyNumberOfThem)
         for (NodeIndex node = 0; node < processors; ++node) {
             std::vector<std::pair<NodeIndex, std::uint32_t>> digests;
             for (const MessageRecord& m : machine.messages) {
-                if (m.destination == node && m.source != processors) {
-                    digests.emplace_back(m.source, static_cast<std::uint32_t>(m.id));
+                if (m.destination == node && m.source() != processors) {
+                    digests.emplace_back(m.source(), static_cast<std::uint32_t>(m.id));
                 }
             }
             RC_ASSERT(digests == expected);
@@ -132,7 +132,7 @@ TEST(TurnBus, DealsThePolygonsOneByOneAndTheEndOfTheFrameToAll) {
     EXPECT_EQ(machine.run(), "no failure");
     std::vector<std::vector<std::uint32_t>> raw(3);
     for (const MessageRecord& m : machine.messages) {
-        if (m.source == 3) {
+        if (m.source() == 3) {
             raw[m.destination].push_back(static_cast<std::uint32_t>(m.id));
         }
     }

@@ -14,7 +14,7 @@ namespace {
 
 MessageRecord message(NodeIndex source, int hops, std::int64_t started_us) {
     MessageRecord record;
-    record.source = source;
+    record.id = std::uint64_t{source} << 32U;
     record.bytes = 10;
     record.hops = static_cast<std::uint8_t>(hops);
     record.started = at_us(started_us);

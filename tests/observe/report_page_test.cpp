@@ -68,10 +68,10 @@ RunTimeline small_timeline() {
     timeline.interval_ended({0, NodeState::busy, 0, at_us(0), at_us(400)});
     timeline.interval_ended({0, NodeState::waiting_input, 0, at_us(400), at_us(1000)});
     timeline.message_consumed({.id = 0,
-                               .source = 0,
-                               .port = 0,
                                .destination = 1,
                                .bytes = 20,
+                               .delivery = kNoCause,
+                               .port = 0,
                                .kind = 0,
                                .hops = 1,
                                .queued = at_us(10),
