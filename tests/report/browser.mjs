@@ -45,7 +45,7 @@ export async function emulate(rasterloom, config, out, changes) {
 
 // Opens a report with the network off; `complaints` gathers all that is not silence.
 export async function openReport(browser, file, { colorScheme = 'light', webgl = true } = {}) {
-    const context = await browser.newContext({ viewport: { width: 1100, height: 800 }, colorScheme, offline: true });
+    const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, colorScheme, offline: true });
     const page = await context.newPage();
     const complaints = [];
     page.on('console', (message) => complaints.push(`console ${message.type()}: ${message.text()}`));

@@ -167,12 +167,15 @@ export async function selectionShowsTheFiles({ page, files }) {
     assert.match(await page.textContent('#live'), new RegExp(middle.name));
     if (files.nodes.length > 1) {
         await page.focus('#drawing');
-        const moved = [];
-        for (const key of ['Shift+ArrowLeft', 'Shift+ArrowRight', 'Shift+ArrowUp', 'Shift+ArrowDown']) {
-            await page.keyboard.press(key);
-            moved.push(await page.textContent('#selected-name'));
+        const names = new Set([await page.textContent('#selected-name')]);
+        for (const key of ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown']) {
+            if (names.size > 1) {
+                break;
+            }
+            await page.keyboard.press(`Shift+${key}`);
+            names.add(await page.textContent('#selected-name'));
         }
-        assert.ok(new Set(moved).size > 1, 'the selection does not move');
+        assert.ok(names.size > 1, 'the selection does not move');
     }
     await page.focus('#drawing');
     await page.keyboard.press('Escape');
@@ -214,16 +217,6 @@ export async function everyControlHasAName({ page }) {
         .filter((node) => !(node.getAttribute('aria-label') || node.textContent.trim() || node.labels?.[0]?.textContent))
         .map((node) => node.outerHTML.slice(0, 120)));
     assert.deepEqual(nameless, []);
-}
-
-export async function focusIsVisible({ page }) {
-    for (const id of ['#drawing', '#play', '#time', '#find']) {
-        await page.focus('body');
-        await page.focus(id);
-        await page.keyboard.press('Shift');
-        const outline = await page.$eval(id, (node) => getComputedStyle(node).outlineStyle);
-        assert.equal(outline, 'solid', `${id} in focus`);
-    }
 }
 
 function seriesOf(files) {

@@ -135,6 +135,19 @@ async function playsTime(browser, folder) {
     await report.close();
 }
 
+async function showsTheFocus(browser, folder) {
+    const report = await openReport(browser, join(folder, 'report.html'));
+    const { page } = report;
+    for (const id of ['#drawing', '#play', '#time', '#find']) {
+        await page.focus('body');
+        await page.focus(id);
+        await page.keyboard.press('Shift');
+        const outline = await page.$eval(id, (node) => getComputedStyle(node).outlineStyle);
+        assert.equal(outline, 'solid', `${id} in focus`);
+    }
+    await report.close();
+}
+
 // Runs `work` for all of `list`, a few at once.
 async function forAll(list, work) {
     const rest = [...list];
@@ -173,6 +186,7 @@ try {
         ['light, dark and on paper', () => isDarkWherePreferred(browser, join(folder, 'geodesic482'))],
         ['frames', () => goesThroughFrames(browser, join(folder, 'frames'))],
         ['a machine of another kind', () => showsAMachineOfAnotherKind(browser, join(folder, 'ring'))],
+        ['focus', () => showsTheFocus(browser, join(folder, 'splitter16'))],
         ['playing', () => playsTime(browser, join(folder, 'geodesic482'))],
     ], ([name, work]) => attempt(name, work));
 } finally {
