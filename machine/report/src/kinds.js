@@ -79,11 +79,10 @@ function createKind(sort, run) {
 
 // What the colours of one sort reach to, so that differences can be seen: to the greatest of the
 // whole run, or in a bin to all of its time.
-export function colourLimit(kind, metric, bin) {
+export function colourReach(kind, metric, bin) {
     if (bin === null) {
         const greatest = kind.greatest(metric);
-        return (metric === 'queue' ? greatest : Math.min(greatest, 1)) || 1;
+        return metric === 'queue' ? greatest : Math.min(greatest, 1);
     }
-    const scales = kind.series.filter((each) => each.role === metric).map((each) => each.scale);
-    return Math.max(...scales, 0) || 1;
+    return Math.max(...kind.series.filter((each) => each.role === metric).map((each) => each.scale), 0);
 }

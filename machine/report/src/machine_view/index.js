@@ -3,7 +3,7 @@
 import { channels, onThemeChange, scaleColour, themeColour } from '../colour.js';
 import { coalesced, element, heading, onResize } from '../dom.js';
 import { plural } from '../format.js';
-import { colourLimit } from '../kinds.js';
+import { colourReach } from '../kinds.js';
 import { hideTooltip, showTooltip } from '../tooltip.js';
 import { createCamera } from './camera.js';
 import { createFlat } from './flat.js';
@@ -54,7 +54,7 @@ function withoutWebgl(root, canvas, model) {
 
 // Grey where a component's quantity is not known over time.
 function colouring(run, model, { metric, bin }) {
-    const limits = Object.fromEntries(run.kinds.map((kind) => [kind.key, colourLimit(kind, metric, bin)]));
+    const limits = Object.fromEntries(run.kinds.map((kind) => [kind.key, colourReach(kind, metric, bin) || 1]));
     const ground = channels(themeColour('ground'));
     const unknown = channels(themeColour('unknown'));
     return (face) => {

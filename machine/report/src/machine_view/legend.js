@@ -3,7 +3,7 @@
 import { gradient } from '../colour.js';
 import { element } from '../dom.js';
 import { figures, percent } from '../format.js';
-import { colourLimit, METRICS } from '../kinds.js';
+import { colourReach, METRICS } from '../kinds.js';
 
 export function show(metric, value) {
     if (value === null) {
@@ -23,7 +23,7 @@ export function createLegend(run, store) {
         title.textContent = unit === 'share' ? `${name}, share of ${bin === null ? 'the run' : 'this time'}` : `${name}, messages on average`;
         least.textContent = show(metric, 0);
         run.kinds.forEach((kind, i) => {
-            const text = bin !== null && !kind.hasBins(metric) ? 'not recorded over time' : show(metric, colourLimit(kind, metric, bin));
+            const text = bin !== null && !kind.hasBins(metric) ? 'not recorded over time' : show(metric, colourReach(kind, metric, bin));
             most[i].textContent = `${kind.title.toLowerCase()} ${text}`;
         });
     });

@@ -34,7 +34,12 @@ export function createSeen(model, camera) {
         changed: () => { projected = null; },
         isSeen,
         anchor,
-        outlines: (item) => shapes.items[item].faces.map((face) => faces()[face]).filter((corners) => corners !== null),
+        // Of a body the faces towards the viewer.
+        outlines(item) {
+            const all = shapes.items[item].faces.map((face) => faces()[face]).filter((corners) => corners !== null);
+            const towards = all.filter(facesViewer);
+            return towards.length > 0 ? towards : all;
+        },
         at(x, y) {
             let best = { item: -1, away: Infinity, layer: -1 };
             faces().forEach((corners, face) => {
