@@ -248,7 +248,7 @@ TEST(PolygonNetwork, NamesTheHostAsOneMoreNode) {
     EXPECT_EQ(machine.run(), "no failure");
     ASSERT_EQ(machine.messages.size(), 3U + 4U);
     for (const MessageRecord& record : machine.messages) {
-        EXPECT_EQ(record.source, 4U);
+        EXPECT_EQ(record.source(), 4U);
         EXPECT_EQ(record.hops, 2);
         EXPECT_EQ(record.id & 0xffffffffU, record.kind == 1 ? 0U : 1U);
     }
