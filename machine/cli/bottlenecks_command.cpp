@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rasterloom bottlenecks: where the machine lost its time, read from the trace of a run.
 #include "machine/cli/command.hpp"
-#include "machine/observe/bottlenecks.hpp"
+#include "machine/observe/bottlenecks/bottlenecks.hpp"
 
 #include <memory>
 #include <string>

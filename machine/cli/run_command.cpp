@@ -9,10 +9,10 @@
 #include "machine/emulation/run.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
-#include "machine/observe/appendix_c_files.hpp"
-#include "machine/observe/appendix_c_text.hpp"
+#include "machine/observe/appendix_c/appendix_c_files.hpp"
+#include "machine/observe/appendix_c/appendix_c_text.hpp"
 #include "machine/observe/output_folder.hpp"
-#include "machine/observe/report_page.hpp"
+#include "machine/observe/page/report_page.hpp"
 #include "machine/observe/statistics_files.hpp"
 #include "machine/observe/summary.hpp"
 

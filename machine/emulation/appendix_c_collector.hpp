@@ -13,7 +13,7 @@
 #include "machine/node/frame_buffer.hpp"
 #include "machine/node/node_listener.hpp"
 #include "machine/node/processor.hpp"
-#include "machine/observe/appendix_c.hpp"
+#include "machine/observe/appendix_c/appendix_c.hpp"
 
 #include <cstdint>
 #include <memory>

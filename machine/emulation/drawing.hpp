@@ -3,7 +3,7 @@
 
 #include "machine/emulation/blueprint.hpp"
 #include "machine/observe/fabric_report.hpp"
-#include "machine/observe/machine_drawing.hpp"
+#include "machine/observe/page/machine_drawing.hpp"
 
 #include <vector>
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "machine/emulation/machine.hpp"
+#include "machine/observe/page/run_timeline.hpp"
 #include "machine/observe/phase_log.hpp"
 #include "machine/observe/record_merger.hpp"
-#include "machine/observe/run_timeline.hpp"
-#include "machine/observe/trace_sink.hpp"
+#include "machine/observe/trace/trace_sink.hpp"
 
 #include <vector>
 

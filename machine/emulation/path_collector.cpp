@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/path_collector.hpp"
 
-#include "machine/observe/path_summary.hpp"
+#include "machine/observe/bottlenecks/path_summary.hpp"
 
 #include <utility>
 

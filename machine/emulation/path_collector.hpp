@@ -3,8 +3,8 @@
 #pragma once
 
 #include "machine/emulation/machine.hpp"
-#include "machine/observe/cause_log.hpp"
-#include "machine/observe/critical_path.hpp"
+#include "machine/observe/bottlenecks/cause_log.hpp"
+#include "machine/observe/bottlenecks/critical_path.hpp"
 #include "machine/observe/machine_names.hpp"
 #include "machine/observe/run_report.hpp"
 

@@ -7,7 +7,7 @@
 #include "machine/emulation/blueprint.hpp"
 #include "machine/emulation/job.hpp"
 #include "machine/emulation/machine.hpp"
-#include "machine/observe/critical_path.hpp"
+#include "machine/observe/bottlenecks/critical_path.hpp"
 #include "machine/observe/run_report.hpp"
 
 #include <vector>

@@ -3,9 +3,9 @@
 
 #include "machine/emulation/blueprint.hpp"
 #include "machine/emulation/machine.hpp"
+#include "machine/observe/page/run_timeline.hpp"
 #include "machine/observe/phase_log.hpp"
 #include "machine/observe/run_report.hpp"
-#include "machine/observe/run_timeline.hpp"
 
 namespace rasterloom::emulation {
 

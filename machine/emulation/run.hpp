@@ -6,11 +6,11 @@
 #include "machine/emulation/traces.hpp"
 #include "machine/host/picture.hpp"
 #include "machine/kernel/failure.hpp"
-#include "machine/observe/appendix_c.hpp"
-#include "machine/observe/bottlenecks.hpp"
-#include "machine/observe/machine_drawing.hpp"
+#include "machine/observe/appendix_c/appendix_c.hpp"
+#include "machine/observe/bottlenecks/bottlenecks.hpp"
+#include "machine/observe/page/machine_drawing.hpp"
+#include "machine/observe/page/run_timeline.hpp"
 #include "machine/observe/run_report.hpp"
-#include "machine/observe/run_timeline.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -2,9 +2,9 @@
 #include "machine/emulation/sweep.hpp"
 
 #include "machine/emulation/sweep_point.hpp"
-#include "machine/observe/folder_lock.hpp"
 #include "machine/observe/output_folder.hpp"
-#include "machine/observe/sweep_table.hpp"
+#include "machine/observe/sweep/folder_lock.hpp"
+#include "machine/observe/sweep/sweep_table.hpp"
 
 #include <chrono>
 #include <deque>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machine/config/sweep.hpp"
-#include "machine/observe/sweep_row.hpp"
+#include "machine/observe/sweep/sweep_row.hpp"
 
 #include <cstddef>
 #include <string>

@@ -2,9 +2,9 @@
 #include "machine/emulation/traces.hpp"
 
 #include "machine/config/error.hpp"
-#include "machine/observe/machine_trace.hpp"
 #include "machine/observe/output_folder.hpp"
-#include "machine/observe/sqlite_trace.hpp"
+#include "machine/observe/trace/machine_trace.hpp"
+#include "machine/observe/trace/sqlite_trace.hpp"
 
 #include <cstdlib>
 #include <map>

@@ -2,13 +2,13 @@
 // The traces of a run: files of either kind, told by the ends of their names.
 #pragma once
 
-#include "machine/observe/bottlenecks.hpp"
-#include "machine/observe/cause_log.hpp"
-#include "machine/observe/critical_path.hpp"
+#include "machine/observe/bottlenecks/bottlenecks.hpp"
+#include "machine/observe/bottlenecks/cause_log.hpp"
+#include "machine/observe/bottlenecks/critical_path.hpp"
 #include "machine/observe/machine_names.hpp"
 #include "machine/observe/run_report.hpp"
-#include "machine/observe/trace_filter.hpp"
-#include "machine/observe/trace_sink.hpp"
+#include "machine/observe/trace/trace_filter.hpp"
+#include "machine/observe/trace/trace_sink.hpp"
 
 #include <filesystem>
 #include <memory>

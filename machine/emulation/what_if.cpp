@@ -2,7 +2,7 @@
 #include "machine/emulation/what_if.hpp"
 
 #include "machine/emulation/run.hpp"
-#include "machine/observe/path_summary.hpp"
+#include "machine/observe/bottlenecks/path_summary.hpp"
 
 #include <algorithm>
 #include <atomic>

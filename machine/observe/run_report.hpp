@@ -61,8 +61,8 @@ struct PhaseReport {
     std::optional<RoundsReport> rounds;
 };
 
-// What the critical path of a frame is made of (machine/observe/critical_path.hpp). The times of
-// each list sum up to the frame's.
+// What the critical path of a frame is made of (machine/observe/bottlenecks/critical_path.hpp). The
+// times of each list sum up to the frame's.
 struct PathReport {
     struct Share {
         std::string kind;  // of component: "node", "link", "bus", ...; "wire" for latencies

@@ -56,7 +56,7 @@ function literals(text) {
 function cpp(page) {
     const parts = literals(page);
     return `// Generated from machine/report/ by build.mjs.
-#include "machine/observe/report_page.hpp"
+#include "machine/observe/page/report_page.hpp"
 
 #include <array>
 

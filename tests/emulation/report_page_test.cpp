@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a whole run tells its report: the same as its statistics, on any number of threads.
-#include "machine/observe/report_page.hpp"
+#include "machine/observe/page/report_page.hpp"
 
 #include "machine/emulation/run.hpp"
 #include "tests/emulation/machines.hpp"

@@ -3,8 +3,8 @@
 
 #include "machine/emulation/process_workers.hpp"
 #include "machine/emulation/sweep_point.hpp"
-#include "machine/observe/folder_lock.hpp"
 #include "machine/observe/output_folder.hpp"
+#include "machine/observe/sweep/folder_lock.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <csignal>

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "machine/observe/bottlenecks/cause_log.hpp"
+
+#include "machine/node/message.hpp"
+
+#include <algorithm>
+
+namespace rasterloom::observe {
+
+namespace {
+
+// What a part sends when it hands one message on, but for the copies of that.
+constexpr std::uint32_t kSentWithAMessage = 4;
+
+SentEvent::Sort sort_of(const Event& event) {
+    if (event.phase() == EventPhase::work) {
+        return SentEvent::Sort::to_itself;
+    }
+    return event.kind == static_cast<EventKind>(MessageEvent::deliver)
+               ? SentEvent::Sort::delivers_message
+               : SentEvent::Sort::other;
+}
+
+}  // namespace
+
+void CauseLog::sent(const Event& event, Time departure, EventId cause) {
+    sent_by_[static_cast<std::size_t>(event.source())].events.push_back(
+        {departure, event.time(), cause, sort_of(event)});
+}
+
+const SentEvent* CauseLog::find(EventId event) const {
+    if (event == kNoCause) {
+        return nullptr;
+    }
+    const Sent& sent = sent_by_[static_cast<std::size_t>(event.source)];
+    const std::uint32_t place = event.sequence - sent.first;
+    return place < sent.events.size() ? &sent.events[place] : nullptr;
+}
+
+void CauseLog::walk_back(EventId last, Time began,
+                         const std::function<void(const PathStep&)>& visit) const {
+    const auto step = [&](ComponentId component, bool on_wire, Time from, Time to) {
+        from = std::max(from, began);
+        if (from < to) {
+            visit({component, on_wire, from, to});
+        }
+    };
+    const SentEvent* event = find(last);
+    for (EventId id = last; event != nullptr && event->arrival > began;) {
+        step(id.source, true, event->departure, event->arrival);
+        const SentEvent* cause = find(event->cause);
+        step(id.source, false, cause != nullptr ? cause->arrival : began, event->departure);
+        id = event->cause;
+        event = cause;
+    }
+}
+
+// What its source handed on, for the same cause, shortly before it set itself this event: it is
+// busy with that until then.
+std::optional<EventId> CauseLog::message_in_hand(EventId event) const {
+    const SentEvent* own = find(event);
+    for (std::uint32_t back = 1; back <= kSentWithAMessage; ++back) {
+        const EventId before{event.source, event.sequence - back};
+        const SentEvent* sent = find(before);
+        if (sent == nullptr || sent->cause != own->cause) {
+            break;
+        }
+        if (sent->sort == SentEvent::Sort::delivers_message) {
+            return before;
+        }
+    }
+    return std::nullopt;
+}
+
+EventId* CauseLog::found_message(EventId event) {
+    Sent& sent = sent_by_[static_cast<std::size_t>(event.source)];
+    if (sent.messages.size() < sent.events.size()) {
+        sent.messages.resize(sent.events.size(), kNoCause);
+    }
+    return &sent.messages[event.sequence - sent.first];
+}
+
+std::optional<EventId> CauseLog::message_behind(EventId event) {
+    std::vector<EventId> walked;
+    EventId found = kNoCause;
+    const SentEvent* at = find(event);
+    while (at != nullptr && found == kNoCause) {
+        found = *found_message(event);
+        if (found != kNoCause) {
+            break;
+        }
+        walked.push_back(event);
+        if (at->sort == SentEvent::Sort::to_itself) {
+            found = message_in_hand(event).value_or(kNoCause);
+        }
+        if (found == kNoCause) {
+            event = at->cause;
+            at = find(event);
+            if (at != nullptr && at->sort == SentEvent::Sort::delivers_message) {
+                found = event;
+            }
+        }
+    }
+    for (const EventId passed : walked) {
+        *found_message(passed) = found;
+    }
+    return found == kNoCause ? std::nullopt : std::optional(found);
+}
+
+void CauseLog::forget_before(Time time) {
+    for (Sent& sent : sent_by_) {
+        const auto old =
+            std::find_if(sent.events.begin(), sent.events.end(),
+                         [&](const SentEvent& event) { return event.arrival >= time; }) -
+            sent.events.begin();
+        sent.first += static_cast<std::uint32_t>(old);
+        sent.events.erase(sent.events.begin(), sent.events.begin() + old);
+        sent.messages.erase(
+            sent.messages.begin(),
+            sent.messages.begin() +
+                std::min<std::ptrdiff_t>(old, static_cast<std::ptrdiff_t>(sent.messages.size())));
+    }
+}
+
+std::size_t CauseLog::size() const {
+    std::size_t size = 0;
+    for (const Sent& sent : sent_by_) {
+        size += sent.events.size();
+    }
+    return size;
+}
+
+}  // namespace rasterloom::observe

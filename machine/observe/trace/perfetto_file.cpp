@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "machine/observe/trace/perfetto_file.hpp"
+
+#include "machine/observe/output_folder.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include <protozero/pbf_writer.hpp>
+
+namespace rasterloom::observe {
+
+namespace {
+
+using protozero::pbf_writer;
+
+constexpr std::size_t kFlushAt = 1 << 16;  // bytes
+constexpr std::uint32_t kSequence = 1;     // all packets are one sequence's
+
+namespace trace_file {
+constexpr protozero::pbf_tag_type packet = 1;
+}
+namespace packet {
+constexpr protozero::pbf_tag_type timestamp = 8, sequence_id = 10, track_event = 11,
+                                  interned_data = 12, sequence_flags = 13, track_descriptor = 60;
+constexpr std::uint32_t cleared = 1, needs_state = 2;  // sequence_flags
+}  // namespace packet
+namespace track_descriptor {
+constexpr protozero::pbf_tag_type uuid = 1, name = 2, parent_uuid = 5, counter = 8,
+                                  child_ordering = 11, sibling_order_rank = 12,
+                                  sibling_merge_behavior = 15;
+constexpr std::int32_t ordering_explicit = 3, merge_none = 2;
+}  // namespace track_descriptor
+namespace track_event {
+constexpr protozero::pbf_tag_type type = 9, name_iid = 10, track_uuid = 11, counter_value = 30,
+                                  flow_ids = 47, terminating_flow_ids = 48;
+constexpr std::uint64_t slice_begin = 1, slice_end = 2, instant = 3, counter = 4;
+}  // namespace track_event
+namespace interned_data {
+constexpr protozero::pbf_tag_type event_names = 2;
+constexpr protozero::pbf_tag_type iid = 1, name = 2;  // of each
+}  // namespace interned_data
+
+}  // namespace
+
+PerfettoFile::PerfettoFile(std::filesystem::path path, std::int64_t scale)
+    : path_(std::move(path)),
+      partial_(path_.string() + ".partial"),
+      file_(std::fopen(partial_.c_str(), "wb")),
+      scale_(scale) {
+    if (!file_) {
+        throw OutputError(path_.string() + ": cannot be written");
+    }
+    std::string first;
+    pbf_writer writer(first);
+    writer.add_uint32(packet::sequence_id, kSequence);
+    writer.add_uint32(packet::sequence_flags, packet::cleared);
+    add_packet(first);
+}
+
+PerfettoFile::~PerfettoFile() {
+    if (file_) {
+        file_.reset();
+        std::error_code ignored;
+        std::filesystem::remove(partial_, ignored);
+    }
+}
+
+void PerfettoFile::add_packet(const std::string& packet) {
+    pbf_writer(buffer_).add_message(trace_file::packet, packet);
+    if (buffer_.size() >= kFlushAt) {
+        flush();
+    }
+}
+
+PerfettoFile::Track PerfettoFile::add_track(std::string_view name, Track parent) {
+    return describe_track(name, parent, false);
+}
+
+PerfettoFile::Track PerfettoFile::add_counter(std::string_view name, Track parent) {
+    return describe_track(name, parent, true);
+}
+
+PerfettoFile::Track PerfettoFile::describe_track(std::string_view name, Track parent,
+                                                 bool is_counter) {
+    const Track track = ++last_track_;
+    std::string descriptor;
+    pbf_writer fields(descriptor);
+    fields.add_uint64(track_descriptor::uuid, track);
+    fields.add_string(track_descriptor::name, name.data(), name.size());
+    if (parent != 0) {
+        fields.add_uint64(track_descriptor::parent_uuid, parent);
+    }
+    if (is_counter) {
+        fields.add_message(track_descriptor::counter, std::string());
+    }
+    fields.add_int32(track_descriptor::child_ordering, track_descriptor::ordering_explicit);
+    fields.add_int32(track_descriptor::sibling_order_rank, children_[parent]++);
+    fields.add_int32(track_descriptor::sibling_merge_behavior, track_descriptor::merge_none);
+    std::string text;
+    pbf_writer writer(text);
+    writer.add_uint32(packet::sequence_id, kSequence);
+    writer.add_message(packet::track_descriptor, descriptor);
+    add_packet(text);
+    return track;
+}
+
+PerfettoFile::Name PerfettoFile::name(std::string_view name) {
+    const auto known = names_.find(name);
+    if (known != names_.end()) {
+        return known->second;
+    }
+    const std::uint64_t iid = names_.size() + 1;
+    names_.emplace(name, iid);
+    std::string entry;
+    pbf_writer fields(entry);
+    fields.add_uint64(interned_data::iid, iid);
+    fields.add_string(interned_data::name, name.data(), name.size());
+    std::string data;
+    pbf_writer(data).add_message(interned_data::event_names, entry);
+    std::string text;
+    pbf_writer writer(text);
+    writer.add_uint32(packet::sequence_id, kSequence);
+    writer.add_uint32(packet::sequence_flags, packet::needs_state);
+    writer.add_message(packet::interned_data, data);
+    add_packet(text);
+    return iid;
+}
+
+std::uint64_t PerfettoFile::nanoseconds(Time time) const {
+    return static_cast<std::uint64_t>(time.picoseconds() / 1000 * scale_ +
+                                      time.picoseconds() % 1000 * scale_ / 1000);
+}
+
+void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time,
+                         const std::vector<Flow>& flows, bool flows_end) {
+    fields_.clear();
+    pbf_writer event(fields_);
+    event.add_uint64(track_event::type, type);
+    if (name != 0) {
+        event.add_uint64(track_event::name_iid, name);
+    }
+    event.add_uint64(track_event::track_uuid, track);
+    for (const Flow flow : flows) {
+        event.add_fixed64(flows_end ? track_event::terminating_flow_ids : track_event::flow_ids,
+                          flow);
+    }
+    add_event(time);
+}
+
+// What `fields_` holds.
+void PerfettoFile::add_event(Time time) {
+    packet_.clear();
+    pbf_writer writer(packet_);
+    writer.add_uint64(packet::timestamp, nanoseconds(time));
+    writer.add_uint32(packet::sequence_id, kSequence);
+    writer.add_uint32(packet::sequence_flags, packet::needs_state);
+    writer.add_message(packet::track_event, fields_);
+    add_packet(packet_);
+    ++events_;
+}
+
+void PerfettoFile::count(Track counter, Time at, std::int64_t value) {
+    fields_.clear();
+    pbf_writer event(fields_);
+    event.add_uint64(track_event::type, track_event::counter);
+    event.add_uint64(track_event::track_uuid, counter);
+    event.add_int64(track_event::counter_value, value);
+    add_event(at);
+}
+
+void PerfettoFile::slice(Track track, Name name, Time from, Time to,
+                         const std::vector<Flow>& flows) {
+    if (from < to) {
+        event(track, track_event::slice_begin, name, from, flows, false);
+        event(track, track_event::slice_end, 0, to, {}, false);
+    }
+}
+
+void PerfettoFile::instant(Track track, Name name, Time at, const std::vector<Flow>& flows,
+                           bool flows_end) {
+    event(track, track_event::instant, name, at, flows, flows_end);
+}
+
+void PerfettoFile::flush() {
+    failed_ |= std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
+    buffer_.clear();
+}
+
+void PerfettoFile::close() {
+    flush();
+    failed_ |= std::fclose(file_.release()) != 0;
+    std::error_code error;
+    if (!failed_) {
+        std::filesystem::rename(partial_, path_, error);
+        failed_ = static_cast<bool>(error);
+    }
+    if (failed_) {
+        std::filesystem::remove(partial_, error);
+        throw OutputError(path_.string() + ": could not be written completely");
+    }
+}
+
+}  // namespace rasterloom::observe
