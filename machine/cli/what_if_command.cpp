@@ -64,10 +64,6 @@ void print(const emulation::WhatIfReport& report,
 
 void run(const WhatIfOptions& options, Session& session) {
     const config::MachineDescription base = load(options.config, session);
-    if (!base.scene) {
-        config::refuse({"whatif", 0, 0}, {}, {}, "a machine without a scene has no frames",
-                       "a machine with a scene");
-    }
     std::vector<config::Variation> variations;
     std::vector<emulation::WhatIf> questions;
     for (const std::string& text : options.vary) {

@@ -154,7 +154,8 @@ void tap(std::optional<AppendixCCollector>& collector, const RunOptions& options
 
 bool wants_paths(const RunOptions& options, const Machine& machine) {
     if ((options.paths || options.bottlenecks) && machine.supervisor() == nullptr) {
-        config::refuse({"--bottlenecks", 0, 0}, {}, {}, "a bare processor has no frames",
+        config::refuse({options.bottlenecks ? "--bottlenecks" : "critical path", 0, 0}, {}, {},
+                       "a bare processor has no frames",
                        "a machine with several processors or a scene");
     }
     const bool for_trace =

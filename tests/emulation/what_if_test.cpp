@@ -88,6 +88,17 @@ TEST(WhatIf, HasNoPredictionForWhatGovernsNoTime) {
     EXPECT_GE(report.results.at(0).frame_time, report.frame_time);
 }
 
+TEST(WhatIf, AnswersForMachinesThatDrawNothing) {
+    const WhatIfReport report =
+        what_if(shipped("ring.yaml"),
+                {{"links.time_per_byte", shipped("ring.yaml", {"links.time_per_byte=2us"})}}, 1,
+                [](std::size_t) {});
+    ASSERT_EQ(report.failure, "");
+    ASSERT_TRUE(report.results.at(0).predicted.has_value());
+    EXPECT_GT(change_of(report, report.results[0].frame_time), 1.5);
+    EXPECT_EQ(*report.results[0].predicted, report.results[0].frame_time);
+}
+
 TEST(WhatIf, SaysWhichRunFailedAndGoesOn) {
     const WhatIfReport report =
         ask("splitter4.yaml", {{"run.max_time", "1ms"}, {"nodes.clock", "300ns"}}, 2);
