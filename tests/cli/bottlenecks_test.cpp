@@ -4,16 +4,12 @@
 #include "tests/cli/command_line.hpp"
 
 #include <algorithm>
-#include <csignal>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace rasterloom::cli {
 namespace {
@@ -25,8 +21,6 @@ using testing::StartsWith;
 
 class Bottlenecks : public CommandLine {
   protected:
-    const std::filesystem::path work_ = folder_ / "work";
-
     static std::vector<std::string> small_run(const std::vector<std::string>& more) {
         std::vector<std::string> words{
             "run",        RASTERLOOM_SOURCE_DIR "/configs/splitter4.yaml",
@@ -104,25 +98,7 @@ TEST_F(Bottlenecks, TracesThatCannotBeWrittenAreRefused) {
 
 TEST_F(Bottlenecks, TracesForWhichTheDiskHasNoRoomLeaveNothingBehind) {
     for (const std::string name : {"x.sqlite", "x.perfetto-trace"}) {
-        std::vector<std::string> arguments = small_run({"--trace", name});
-        arguments.insert(arguments.begin(), "rasterloom");
-        std::vector<char*> words;
-        for (std::string& argument : arguments) {
-            words.push_back(argument.data());
-        }
-        words.push_back(nullptr);
-        const pid_t child = ::fork();
-        if (child == 0) {
-            const rlimit limit{4096, 4096};
-            std::signal(SIGXFSZ, SIG_IGN);  // a write fails instead
-            if (::chdir(work_.c_str()) == 0 && ::setrlimit(RLIMIT_FSIZE, &limit) == 0) {
-                ::execv(RASTERLOOM_BINARY_DIR "/rasterloom", words.data());
-            }
-            ::_exit(99);
-        }
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 2) << name;
+        EXPECT_EQ(status_of(start(small_run({"--trace", name}), 4096)), 2) << name;
         EXPECT_THAT(files(), IsEmpty()) << name;
     }
 }

@@ -2,11 +2,13 @@
 #include "tests/cli/command_line.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace rasterloom::cli {
 
@@ -34,12 +36,12 @@ std::string read_text(const fs::path& path) {
 }
 
 void CommandLine::SetUp() {
-    fs::create_directories(folder_ / "work");
+    fs::create_directories(work_);
 }
 
 Finished CommandLine::rasterloom(const std::vector<std::string>& arguments) const {
     std::string line = "cd ";
-    line.append(quoted((folder_ / "work").string())).append(" && ");
+    line.append(quoted(work_.string())).append(" && ");
     line.append(quoted(RASTERLOOM_BINARY_DIR "/rasterloom"));
     for (const std::string& argument : arguments) {
         line.append(" ").append(quoted(argument));
@@ -51,10 +53,35 @@ Finished CommandLine::rasterloom(const std::vector<std::string>& arguments) cons
             read_text(folder_ / "stderr")};
 }
 
+pid_t CommandLine::start(std::vector<std::string> arguments, rlim_t room) const {
+    arguments.insert(arguments.begin(), "rasterloom");
+    std::vector<char*> words;
+    for (std::string& argument : arguments) {
+        words.push_back(argument.data());
+    }
+    words.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const rlimit limit{room, room};
+        std::signal(SIGXFSZ, SIG_IGN);  // a write fails instead
+        if (::chdir(work_.c_str()) == 0 && ::setrlimit(RLIMIT_FSIZE, &limit) == 0) {
+            ::execv(RASTERLOOM_BINARY_DIR "/rasterloom", words.data());
+        }
+        ::_exit(99);
+    }
+    return child;
+}
+
+int CommandLine::status_of(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
 std::vector<std::string> CommandLine::files() const {
     std::vector<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "work")) {
-        names.push_back(entry.path().lexically_relative(folder_ / "work").string());
+    for (const auto& entry : fs::recursive_directory_iterator(work_)) {
+        names.push_back(entry.path().lexically_relative(work_).string());
     }
     std::sort(names.begin(), names.end());
     return names;

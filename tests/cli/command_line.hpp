@@ -9,6 +9,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/types.h>
 
 namespace rasterloom::cli {
 
@@ -20,17 +22,22 @@ struct Finished {
 
 std::string read_text(const std::filesystem::path& path);
 
-// A test with an empty folder of its own, in which the command runs.
+// A test with an empty folder of its own, work_, in which the command runs.
 class CommandLine : public testing::Test {
   protected:
     void SetUp() override;
 
     Finished rasterloom(const std::vector<std::string>& arguments) const;
+    // Likewise, but not waited for. `room`: bytes that a file may have; a write beyond fails.
+    pid_t start(std::vector<std::string> arguments, rlim_t room = RLIM_INFINITY) const;
+    // Waits for it; -1 when a signal has ended it.
+    static int status_of(pid_t child);
     // What the command left in the folder, hidden files included.
     std::vector<std::string> files() const;
 
     TemporaryFolder temporary_;
     std::filesystem::path folder_ = temporary_.path();
+    std::filesystem::path work_ = folder_ / "work";
 };
 
 inline std::string program(const std::string& name) {

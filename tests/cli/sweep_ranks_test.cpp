@@ -43,8 +43,6 @@ class SweepOnRanks : public CommandLine {
         return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, read_text(folder_ / "stdout"),
                 read_text(folder_ / "stderr")};
     }
-
-    std::filesystem::path work_ = folder_ / "work";
 };
 
 TEST_F(SweepOnRanks, GivesTheSameResults) {

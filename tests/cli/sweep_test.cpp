@@ -41,32 +41,6 @@ class SweepCommand : public CommandLine {
         std::ofstream(work_ / "s.yaml") << kSweep;
     }
 
-    // The command in the test's folder, not waited for. `room`: bytes that a file may have.
-    pid_t start(std::vector<std::string> arguments, rlim_t room = RLIM_INFINITY) const {
-        arguments.insert(arguments.begin(), "rasterloom");
-        std::vector<char*> words;
-        for (std::string& argument : arguments) {
-            words.push_back(argument.data());
-        }
-        words.push_back(nullptr);
-        const pid_t child = ::fork();
-        if (child == 0) {
-            const rlimit limit{room, room};
-            std::signal(SIGXFSZ, SIG_IGN);  // a write fails instead
-            if (::chdir(work_.c_str()) == 0 && ::setrlimit(RLIMIT_FSIZE, &limit) == 0) {
-                ::execv(RASTERLOOM_BINARY_DIR "/rasterloom", words.data());
-            }
-            ::_exit(99);
-        }
-        return child;
-    }
-
-    static int status_of(pid_t child) {
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-
     // Rows of the results; 0 also when they cannot be read at the moment.
     std::int64_t rows(const std::string& folder) const {
         try {
@@ -116,8 +90,6 @@ class SweepCommand : public CommandLine {
         EXPECT_EQ(dump(folder), dump("whole"));
         EXPECT_THAT(results(folder), ElementsAre("results.csv", "results.sqlite"));
     }
-
-    std::filesystem::path work_ = folder_ / "work";
 };
 
 TEST_F(SweepCommand, SaysWhatItHasDone) {

@@ -115,6 +115,25 @@ TEST_F(Trace, ShowsMachinesWithoutLinks) {
     EXPECT_GT(count(text, "type: INSTANT"), 10U);
 }
 
+TEST_F(Trace, OfAWindowKnowsTheQueuesFromBefore) {
+    RunOptions options;
+    options.traces.paths = {file_};
+    options.traces.from = Time::zero() + Duration::milliseconds(2);
+    options.traces.to = Time::zero() + Duration::milliseconds(3);
+    options.traces.components = {"P1"};
+    const RunOutcome outcome =
+        run_machine(shipped("splitter4.yaml", {"screen={width: 64, height: 64}",
+                                               "scene={object: random_polygons, polygons: 60}"}),
+                    options);
+    ASSERT_EQ(outcome.failure, "");
+    const std::string text = decoded();
+    // P1's queue of four places is full when the window opens, and nothing comes or goes in it.
+    EXPECT_EQ(count(text, "counter_value: 4\n"), 1U);
+    EXPECT_EQ(count(text, "counter_value:"), 1U);
+    EXPECT_GT(count(text, "type: SLICE_BEGIN"), 0U);
+    EXPECT_FALSE(names(text, "waits for the next phase"));
+}
+
 TEST_F(Trace, OfARunThatFailsLeavesNoFile) {
     EXPECT_NE(run(small_geodesic({"run.max_time=1ms"})).failure, "");
     EXPECT_FALSE(std::filesystem::exists(file_));

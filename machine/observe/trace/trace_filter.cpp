@@ -36,16 +36,19 @@ void TraceFilter::change_queue(ComponentId component, Time time, int change) {
     if (!has(component) || time >= window_.to) {
         return;
     }
-    int& waiting = waiting_at_window_[static_cast<std::size_t>(component)];
     if (time < window_.from) {
-        waiting += change;
+        waiting_at_window_[static_cast<std::size_t>(component)] += change;
         return;
     }
-    if (waiting != 0) {
-        sink_->queue_changed(component, window_.from, waiting);
-        waiting = 0;
-    }
+    tell_waiting_at_window(component);
     sink_->queue_changed(component, time, change);
+}
+
+void TraceFilter::tell_waiting_at_window(ComponentId component) {
+    if (const int waiting =
+            std::exchange(waiting_at_window_[static_cast<std::size_t>(component)], 0)) {
+        sink_->queue_changed(component, window_.from, waiting);
+    }
 }
 
 void TraceFilter::message_arrived(NodeIndex node, Time time) {
@@ -82,6 +85,10 @@ void TraceFilter::message_passed(ComponentId part, const MessageRecord& message)
 }
 
 void TraceFilter::close(const RunReport& report, const std::vector<CriticalPath>& paths) {
+    // Of queues in which nothing has changed since.
+    for (std::size_t component = 0; component < waiting_at_window_.size(); ++component) {
+        tell_waiting_at_window(static_cast<ComponentId>(component));
+    }
     sink_->close(report, paths);
 }
 

@@ -38,6 +38,7 @@ class TraceFilter final : public TraceSink {
     void close(const RunReport& report, const std::vector<CriticalPath>& paths) override;
 
   private:
+    void tell_waiting_at_window(ComponentId component);
     void change_queue(ComponentId component, Time time, int change);
     bool covers(Time from, Time to) const { return to > window_.from && from < window_.to; }
     bool has(ComponentId component) const {
