@@ -9,8 +9,8 @@ namespace rasterloom::observe {
 
 namespace {
 
-constexpr std::size_t kBatch = 1 << 14;   // numbers
-constexpr std::size_t kMostWaiting = 64;  // batches: 8 MiB
+constexpr std::size_t kBatch = 1 << 13;    // numbers; malloc maps larger ones anew each time
+constexpr std::size_t kMostWaiting = 128;  // batches: 8 MiB
 
 std::string insertion(const RowWriter::Table& table) {
     std::string values = "?";
