@@ -5,6 +5,7 @@
 
 #include "machine/kernel/probe.hpp"
 #include "machine/node/message.hpp"
+#include "machine/node/queue_change.hpp"
 
 #include <cstdint>
 
@@ -28,9 +29,9 @@ class PartListener {
   public:
     virtual ~PartListener() = default;
     virtual void part_interval_ended(const PartInterval&) {}
-    // A message stands in the part's input FIFO...
-    virtual void message_came(ComponentId /*part*/, Time) {}
-    // ...and has left it at `message.consumed`; `message.destination` means nothing.
+    // A message stands in the part's input FIFO, or has joined or left an output FIFO.
+    virtual void queue_changed(const QueueChange&) {}
+    // A message has left it at `message.consumed`; `message.destination` means nothing.
     virtual void message_passed(ComponentId /*part*/, const MessageRecord& /*message*/) {}
 };
 
@@ -50,8 +51,8 @@ class PartProbe : public Probe<PartListener> {
         state_ = state;
         since_ = now;
     }
-    void take(ComponentId part, Time now) const {
-        tell([&](PartListener& listener) { listener.message_came(part, now); });
+    void queue(ComponentId part, QueuePlace place, Time now, int change) const {
+        tell([&](PartListener& listener) { listener.queue_changed({part, place, now, change}); });
     }
     void pass(ComponentId part, ComponentId from, const Message& message, Time now) const {
         tell([&](PartListener& listener) {

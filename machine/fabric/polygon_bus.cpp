@@ -42,7 +42,7 @@ void PolygonBus::handle(const Event& event) {
         if (!input_.deliver(delivered_message(event), now())) {
             throw InvariantError(now(), name(), "the input FIFO overflows");
         }
-        probe_.take(id(), now());
+        probe_.queue(id(), QueuePlace::input, now(), 1);
     } else {
         waiting_ = false;
         take_credit(static_cast<std::size_t>(event.port) - 1, now());

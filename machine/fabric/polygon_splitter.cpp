@@ -41,7 +41,7 @@ void PolygonSplitter::handle(const Event& event) {
         if (!input_.deliver(delivered_message(event), now())) {
             throw InvariantError(now(), name(), "the input FIFO overflows");
         }
-        probe_.take(id(), now());
+        probe_.queue(id(), QueuePlace::input, now(), 1);
     } else {
         book_blocked();
         Output& output = outputs_[event.port == kLow ? 0 : 1];
@@ -147,11 +147,13 @@ void PolygonSplitter::hand_on(Output& output) {
         ++output.polygons;
         output.vertices += static_cast<std::int64_t>(output.part.vertices.size());
     }
+    probe_.queue(id(), output.place(), now(), 1);
     release(output);
 }
 
 void PolygonSplitter::release(Output& output) {
     output.fifo.release(now(), [&](Message* message) {
+        probe_.queue(id(), output.place(), now(), -1);
         send(output.port, static_cast<EventKind>(MessageEvent::deliver), to_payload(message),
              now());
     });

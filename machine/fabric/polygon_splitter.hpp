@@ -85,6 +85,7 @@ class PolygonSplitter final : public Component {
         std::int64_t vertices = 0;
         Duration blocked;
 
+        QueuePlace place() const { return port == kLow ? QueuePlace::low : QueuePlace::high; }
         bool lacks_room() const { return gets && !fifo.has_room(); }
     };
 

@@ -43,7 +43,7 @@ void TurnBus::handle(const Event& event) {
             case MessageEvent::transmit:
                 station.message = delivered_message(event);
                 station.message->delivered = now();
-                probe_.take(id(), now());
+                probe_.queue(id(), QueuePlace::input, now(), 1);
                 ++waiting_;
                 break;
             case MessageEvent::credit:

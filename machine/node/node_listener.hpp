@@ -4,6 +4,7 @@
 
 #include "isa/core.hpp"
 #include "machine/node/message.hpp"
+#include "machine/node/queue_change.hpp"
 
 #include <cstdint>
 
@@ -43,8 +44,9 @@ class NodeListener {
   public:
     virtual ~NodeListener() = default;
     virtual void message_consumed(const MessageRecord&) {}
-    // A message stands in an input queue of the node.
-    virtual void message_arrived(NodeIndex, Time) {}
+    // A message stands in an input queue of the node, or has joined or left one of its output
+    // queues. What one node tells comes in order.
+    virtual void queue_changed(const QueueChange&) {}
     // Intervals of one node come in order; those of different nodes do not, because a processor may
     // run ahead.
     virtual void interval_ended(const StateInterval&) {}

@@ -181,6 +181,7 @@ class Processor final : public Component, private isa::Bus {
     bool runs_freely() const;
     bool is_foreseen_read(const RegisterAddress& address) const;
     bool is_foreseen_write(const RegisterAddress& address) const;
+    void tell_queue(ComponentId component, QueuePlace place, int change) const;
     void tell_consumed(int port, const Message& message) const;
     void transmit();
     void enable_interrupt(int port, bool receive, bool enable);

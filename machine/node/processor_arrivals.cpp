@@ -98,8 +98,7 @@ void Processor::handle_message(const Event& event) {
             if (!ports_.deliver(port, delivered_message(event), now())) {
                 throw InvariantError(now(), name(), fmt::format("input queue {} overflows", port));
             }
-            meter_.probe().tell(
-                [&](NodeListener& listener) { listener.message_arrived(settings_.node, now()); });
+            tell_queue(id(), QueuePlace::input, 1);
             if (state.receive_interrupt && ports_.waiting(port) == 1) {
                 request(receive_vector(port));
             }

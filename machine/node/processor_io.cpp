@@ -220,6 +220,7 @@ isa::Bus::Status Processor::write_txlen(int port, std::uint32_t bytes) {
         return stall(Stall::transmit, static_cast<std::uint32_t>(port));
     }
     ports_.enqueue(port, memory.subspan(address, bytes), now());
+    tell_queue(peer(transmit_port(port)), QueuePlace::at_sender, 1);
     if (!ports_.has_room(port)) {
         core_->withdraw_interrupt(kInterruptLevel, transmit_vector(port));
     }
@@ -290,9 +291,16 @@ isa::Bus::Status Processor::refuse(std::string what) {
 
 void Processor::transmit() {
     while (const auto transmission = ports_.next_transmission(now())) {
+        tell_queue(peer(transmit_port(transmission->port)), QueuePlace::at_sender, -1);
         send(transmit_port(transmission->port), static_cast<EventKind>(MessageEvent::transmit),
              to_payload(transmission->message), now());
     }
+}
+
+void Processor::tell_queue(ComponentId component, QueuePlace place, int change) const {
+    meter_.probe().tell([&](NodeListener& listener) {
+        listener.queue_changed({component, place, now(), change});
+    });
 }
 
 void Processor::tell_consumed(int port, const Message& message) const {

@@ -31,16 +31,12 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
                                                        public SupervisorListener,
                                                        public PartListener {
   public:
-    Keeper(const bool& keeps_intervals, const std::vector<ComponentId>& component_of)
-        : keeps_intervals_(keeps_intervals), component_of_(component_of) {}
+    explicit Keeper(const bool& keeps_intervals) : keeps_intervals_(keeps_intervals) {}
 
-    void message_arrived(NodeIndex node, Time time) override {
+    void queue_changed(const QueueChange& change) override {
         if (keeps_intervals_) {
-            arrivals.push_back({time, component_of_[node], node});
+            changes.push_back(change);
         }
-    }
-    void message_came(ComponentId part, Time time) override {
-        arrivals.push_back({time, part, std::nullopt});
     }
     void message_consumed(const MessageRecord& record) override { messages.push_back(record); }
     void interval_ended(const StateInterval& interval) override {
@@ -62,7 +58,7 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
         part_records.push_back({part, message});
     }
 
-    std::vector<Arrival> arrivals;
+    std::vector<QueueChange> changes;
     std::vector<PartRecord> part_records;
     std::vector<StateInterval> intervals;
     std::vector<MessageRecord> messages;
@@ -71,14 +67,13 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
 
   private:
     const bool& keeps_intervals_;
-    const std::vector<ComponentId>& component_of_;
 };
 
 RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of,
                            Order order)
     : component_of_(std::move(component_of)), order_(order) {
     for (std::size_t partition = 0; partition < partitions; ++partition) {
-        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_, component_of_));
+        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_));
     }
 }
 
@@ -170,15 +165,16 @@ void RecordMerger::collect_part_records(Time reached) {
     });
 }
 
-// Likewise, by node or part.
-void RecordMerger::collect_arrivals(Time reached) {
+// Likewise, by component. What one tells of several queues at one time is in its order.
+void RecordMerger::collect_changes(Time reached) {
     for (const auto& keeper : keepers_) {
-        move_due(keeper->arrivals, due_arrivals_, reached,
-                 [](const auto& arrival) { return arrival.time; });
+        move_due(keeper->changes, due_changes_, reached,
+                 [](const auto& change) { return change.time; });
     }
-    std::stable_sort(due_arrivals_.begin(), due_arrivals_.end(), [](const auto& a, const auto& b) {
+    const auto precedes = [](const QueueChange& a, const QueueChange& b) {
         return a.time != b.time ? a.time < b.time : a.component < b.component;
-    });
+    };
+    std::stable_sort(due_changes_.begin(), due_changes_.end(), precedes);
 }
 
 void RecordMerger::tell(const StateInterval& interval) const {
@@ -197,19 +193,13 @@ void RecordMerger::tell(const PartRecord& record) const {
     }
 }
 
-void RecordMerger::tell(const Arrival& arrival) const {
-    if (arrival.node) {
-        for (NodeListener* listener : node_listeners_) {
-            listener->message_arrived(*arrival.node, arrival.time);
-        }
-    } else {
-        for (PartListener* listener : part_listeners_) {
-            listener->message_came(arrival.component, arrival.time);
-        }
+void RecordMerger::tell(const QueueChange& change) const {
+    for (NodeListener* listener : node_listeners_) {
+        listener->queue_changed(change);
     }
 }
 
-// Of several at one time: intervals of nodes, what parts tell, arrivals.
+// Of several at one time: intervals of nodes, what parts tell, changes of queues.
 void RecordMerger::tell_intervals(Time before) {
     const auto tell_next = [this](auto& due) {
         tell(due.front());
@@ -218,16 +208,16 @@ void RecordMerger::tell_intervals(Time before) {
     while (true) {
         const Time node = due_.empty() ? Time::never() : due_.front().to;
         const Time part = due_of_parts_.empty() ? Time::never() : due_of_parts_.front().ended();
-        const Time arrival = due_arrivals_.empty() ? Time::never() : due_arrivals_.front().time;
-        if (std::min({node, part, arrival}) >= before) {
+        const Time change = due_changes_.empty() ? Time::never() : due_changes_.front().time;
+        if (std::min({node, part, change}) >= before) {
             return;
         }
-        if (node <= part && node <= arrival) {
+        if (node <= part && node <= change) {
             tell_next(due_);
-        } else if (part <= arrival) {
+        } else if (part <= change) {
             tell_next(due_of_parts_);
         } else {
-            tell_next(due_arrivals_);
+            tell_next(due_changes_);
         }
     }
 }
@@ -235,7 +225,7 @@ void RecordMerger::tell_intervals(Time before) {
 void RecordMerger::flush(Time reached) {
     collect_intervals(reached);
     collect_part_records(reached);
-    collect_arrivals(reached);
+    collect_changes(reached);
     if (order_ == Order::of_events) {
         flush_in_order(reached);
     } else {

@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -36,7 +35,8 @@ class RecordMerger {
     RecordMerger(const RecordMerger&) = delete;
     RecordMerger& operator=(const RecordMerger&) = delete;
 
-    // Has states of nodes, and what parts tell, kept: before anything is told.
+    // Has states of nodes, and what parts tell, kept: before anything is told. Changes of queues,
+    // of parts too, are told to those who listen to nodes.
     void keep_intervals() { keeps_intervals_ = true; }
 
     // To be attached to the nodes and the supervisor in this partition.
@@ -62,19 +62,13 @@ class RecordMerger {
 
         Time ended() const;
     };
-    struct Arrival {  // of a message at a node, or at a part
-        Time time;
-        ComponentId component{};
-        std::optional<NodeIndex> node;
-    };
-
     void collect_intervals(Time reached);
     void collect_part_records(Time reached);
-    void collect_arrivals(Time reached);
+    void collect_changes(Time reached);
     void tell_intervals(Time before);
     void tell(const StateInterval& interval) const;
     void tell(const PartRecord& record) const;
-    void tell(const Arrival& arrival) const;
+    void tell(const QueueChange& change) const;
     void flush_in_order(Time reached);
     void flush_by_phase(Time reached);
     std::vector<Time> ends_of_phases(Time until) const;
@@ -89,7 +83,7 @@ class RecordMerger {
     // To be told, in order; none between two flushes.
     std::deque<StateInterval> due_;
     std::deque<PartRecord> due_of_parts_;
-    std::deque<Arrival> due_arrivals_;
+    std::deque<QueueChange> due_changes_;
     std::vector<std::unique_ptr<Keeper>> keepers_;  // [partition]
     std::vector<NodeListener*> node_listeners_;
     std::vector<SupervisorListener*> supervisor_listeners_;

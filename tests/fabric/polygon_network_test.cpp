@@ -121,7 +121,9 @@ class PartScribe final : public PartListener {
         Duration busy;
         Duration blocked;
         Time last;
-        int waiting = 0;  // messages
+        Time last_change;
+        int waiting = 0;     // messages
+        int in_outputs = 0;  // likewise
         int passed = 0;
         bool in_order = true;
     };
@@ -133,7 +135,13 @@ class PartScribe final : public PartListener {
         (interval.state == PartState::busy ? part.busy : part.blocked) +=
             interval.to - interval.from;
     }
-    void message_came(ComponentId part, Time) override { ++parts[part].waiting; }
+    void queue_changed(const QueueChange& change) override {
+        Part& part = parts[change.component];
+        part.in_order &= part.last_change <= change.time;
+        part.last_change = change.time;
+        (change.place == QueuePlace::input ? part.waiting : part.in_outputs) += change.change;
+        part.in_order &= part.in_outputs >= 0;
+    }
     void message_passed(ComponentId part, const MessageRecord& message) override {
         Part& told = parts[part];
         --told.waiting;
@@ -155,6 +163,7 @@ TEST(PolygonNetwork, TellsListenersOfEachPartWhatItsStatisticsSay) {
         for (const auto& [id, part] : scribe.parts) {
             RC_ASSERT(part.in_order);
             RC_ASSERT(part.waiting == 0);
+            RC_ASSERT(part.in_outputs == 0);
         }
         const auto told = [&](const Component& part) { return scribe.parts[part.id()]; };
         const PolygonSourceStatistics& source = machine.network.source->statistics();

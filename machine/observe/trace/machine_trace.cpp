@@ -48,7 +48,7 @@ MachineTrace::MachineTrace(const std::filesystem::path& path, MachineNames names
     : names_(std::move(names)),
       file_(path, scale_for(names_.cycle)),
       tracks_(names_.components.size()),
-      queues_(names_.components.size()) {
+      queues_(names_.components.size() * kQueuePlaces) {
     const PerfettoFile::Track root = file_.add_track(title(names_), 0);
     phases_ = file_.add_track("phases", root);
     add_parts(root);
@@ -63,7 +63,6 @@ void MachineTrace::add_nodes(PerfettoFile::Track root) {
     for (const ComponentId node : names_.nodes) {
         const auto index = static_cast<std::size_t>(node);
         tracks_[index] = file_.add_track(names_.label(node).name, processors);
-        queues_[index].track = file_.add_counter("messages waiting", tracks_[index]);
     }
 }
 
@@ -80,7 +79,6 @@ void MachineTrace::add_parts(PerfettoFile::Track root) {
         const std::string name =
             label.kind == label.name ? label.kind : label.kind + "/" + label.name;
         tracks_[index] = file_.add_track(name, fabric);
-        queues_[index].track = file_.add_counter("messages waiting", tracks_[index]);
     }
 }
 
@@ -103,14 +101,14 @@ void MachineTrace::interval_ended(const StateInterval& interval) {
 
 void MachineTrace::part_interval_ended(const PartInterval& interval) {
     file_.slice(track(interval.part), interval.state == PartState::busy ? busy_ : blocked_,
-                interval.from, interval.to, {});
+                interval.from, interval.to);
 }
 
 // A link gets its track with its first message.
-PerfettoFile::Track MachineTrace::link_track(const MessageRecord& message) {
-    PerfettoFile::Track& track = tracks_[static_cast<std::size_t>(message.delivery.source)];
+PerfettoFile::Track MachineTrace::link_track(ComponentId link) {
+    PerfettoFile::Track& track = tracks_[static_cast<std::size_t>(link)];
     if (track == 0) {
-        track = file_.add_track(names_.label(message.delivery.source).name, links_);
+        track = file_.add_track(names_.label(link).name, links_);
     }
     return track;
 }
@@ -135,46 +133,69 @@ PerfettoFile::Name MachineTrace::name_of(Part part, const MessageRecord& message
 }
 
 // What comes and goes at one time is not seen.
-void MachineTrace::queue_changed(ComponentId component, Time time, int change) {
-    Queue& queue = queues_[static_cast<std::size_t>(component)];
-    if (time > queue.since) {
-        write_queue(queue);
-        queue.since = time;
+void MachineTrace::queue_changed(const QueueChange& change) {
+    const std::size_t index = static_cast<std::size_t>(change.component) * kQueuePlaces +
+                              static_cast<std::size_t>(change.place);
+    Queue& queue = queues_[index];
+    if (change.time > queue.since) {
+        write_queue(index);
+        queue.since = change.time;
     }
-    queue.length += change;
+    queue.length += change.change;
 }
 
-void MachineTrace::write_queue(Queue& queue) {
-    if (queue.length != queue.written) {
-        file_.count(queue.track, queue.since, queue.length);
-        queue.written = queue.length;
+void MachineTrace::write_queue(std::size_t index) {
+    Queue& queue = queues_[index];
+    if (queue.length == queue.written) {
+        return;
     }
+    if (queue.track == 0) {
+        queue.track = add_queue(static_cast<ComponentId>(index / kQueuePlaces),
+                                static_cast<QueuePlace>(index % kQueuePlaces));
+    }
+    file_.count(queue.track, queue.since, queue.length);
+    queue.written = queue.length;
+}
+
+PerfettoFile::Track MachineTrace::add_queue(ComponentId component, QueuePlace place) {
+    const PerfettoFile::Track owner =
+        track(component) != 0 ? track(component) : link_track(component);
+    switch (place) {
+        case QueuePlace::input:
+            return file_.add_counter("messages waiting", owner);
+        case QueuePlace::at_sender:
+            return file_.add_counter("messages waiting to be sent", owner);
+        case QueuePlace::low:
+            return file_.add_counter("messages in output FIFO low", owner);
+        case QueuePlace::high:
+            return file_.add_counter("messages in output FIFO high", owner);
+    }
+    return 0;
 }
 
 void MachineTrace::message_consumed(const MessageRecord& message) {
     const ComponentId destination = names_.nodes[message.destination];
     if (names_.links.empty()) {
-        file_.instant(track(destination), name_of(Part::taken, message), message.consumed, {},
-                      false);
+        file_.instant(track(destination), name_of(Part::taken, message), message.consumed);
         return;
     }
-    const std::vector<PerfettoFile::Flow> arrow{message.id + 1};
+    const PerfettoFile::Flow flow = message.id + 1;
     file_.instant(track(names_.nodes[message.source()]), name_of(Part::sent, message),
-                  message.queued, arrow, false);
-    file_.slice(link_track(message), name_of(Part::carried, message), message.started,
-                message.delivered - names_.latency, arrow);
-    file_.instant(track(destination), name_of(Part::taken, message), message.consumed, arrow, true);
+                  message.queued, flow);
+    file_.slice(link_track(message.delivery.source), name_of(Part::carried, message),
+                message.started, message.delivered - names_.latency, flow);
+    file_.instant(track(destination), name_of(Part::taken, message), message.consumed, flow, true);
 }
 
 void MachineTrace::phase_ended(const PhaseRecord& phase) {
     file_.slice(
         phases_,
         file_.name(fmt::format("frame {}: {}", phase.frame, names_.phase_name(phase.phase))),
-        phase.began, phase.ended, {});
+        phase.began, phase.ended);
 }
 
 void MachineTrace::close(const RunReport& /*report*/, const std::vector<CriticalPath>& /*paths*/) {
-    for (Queue& queue : queues_) {
+    for (std::size_t queue = 0; queue < queues_.size(); ++queue) {
         write_queue(queue);
     }
     file_.close();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a machine does, as a trace for a person to look at: a track for each processor (what it is
 // at), for each other part (busy or blocked), for each link (what it carries) and for the phases;
-// beside them the messages in the input queues. Arrows follow each message from the program that
+// below them the messages in their queues. Arrows follow each message from the program that
 // sends it over the link to the one that takes it.
 #pragma once
 
@@ -25,7 +25,7 @@ class MachineTrace final : public TraceSink {
     void message_consumed(const MessageRecord& message) override;
     void phase_ended(const PhaseRecord& phase) override;
     void part_interval_ended(const PartInterval& interval) override;
-    void queue_changed(ComponentId component, Time time, int change) override;
+    void queue_changed(const QueueChange& change) override;
     void close(const RunReport& report, const std::vector<CriticalPath>& paths) override;
 
     std::int64_t events() const { return file_.events(); }
@@ -34,7 +34,7 @@ class MachineTrace final : public TraceSink {
     // What is written about a message: by the program that sends it, on the link, by the one that
     // takes it.
     enum class Part : std::uint8_t { sent, carried, taken };
-    // The messages in a component's input queues: `length` from `since` on, which is not written
+    // The messages in a queue: `length` from `since` on, which is not written
     // yet.
     struct Queue {
         PerfettoFile::Track track = 0;
@@ -48,10 +48,11 @@ class MachineTrace final : public TraceSink {
     PerfettoFile::Track track(ComponentId component) const {
         return tracks_[static_cast<std::size_t>(component)];
     }
-    PerfettoFile::Track link_track(const MessageRecord& message);
+    PerfettoFile::Track link_track(ComponentId link);
+    PerfettoFile::Track add_queue(ComponentId component, QueuePlace place);
     PerfettoFile::Name name_of(Part part, const MessageRecord& message);
     PerfettoFile::Name name_of(const StateInterval& interval);
-    void write_queue(Queue& queue);
+    void write_queue(std::size_t index);
 
     MachineNames names_;
     PerfettoFile file_;
@@ -60,7 +61,7 @@ class MachineTrace final : public TraceSink {
     PerfettoFile::Name busy_ = 0;
     PerfettoFile::Name blocked_ = 0;
     std::vector<PerfettoFile::Track> tracks_;  // [component], 0 as long as it has none
-    std::vector<Queue> queues_;                // [component]
+    std::vector<Queue> queues_;                // [component x kQueuePlaces + place]
     std::unordered_map<std::uint64_t, PerfettoFile::Name> message_names_;  // by what they say
     std::unordered_map<int, PerfettoFile::Name> state_names_;              // by state and activity
 };

@@ -3,10 +3,13 @@
 
 #include "machine/observe/output_folder.hpp"
 
+#include <array>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
 #include <protozero/pbf_writer.hpp>
+#include <protozero/varint.hpp>
 
 namespace rasterloom::observe {
 
@@ -42,6 +45,38 @@ constexpr protozero::pbf_tag_type iid = 1, name = 2;  // of each
 }  // namespace interned_data
 
 }  // namespace
+
+// A message's fields, as protobuf encodes them. An event has few, and there are millions of events:
+// so they have a place of their own on the stack.
+class PerfettoFile::Fields {
+  public:
+    void number(protozero::pbf_tag_type tag, std::uint64_t value) {
+        put(std::uint64_t{tag} << 3U);
+        put(value);
+    }
+    void fixed(protozero::pbf_tag_type tag, std::uint64_t value) {
+        put(std::uint64_t{tag} << 3U | 1U);
+        for (int byte = 0; byte < 8; ++byte) {
+            bytes_[size_++] = static_cast<char>(value >> 8 * byte & 0xffU);
+        }
+    }
+    void message(protozero::pbf_tag_type tag, const Fields& fields) {
+        put(std::uint64_t{tag} << 3U | 2U);
+        put(fields.size_);
+        std::memcpy(bytes_.data() + size_, fields.bytes_.data(), fields.size_);
+        size_ += fields.size_;
+    }
+    std::string_view text() const { return {bytes_.data(), size_}; }
+
+  private:
+    void put(std::uint64_t value) {
+        size_ += static_cast<std::size_t>(protozero::write_varint(bytes_.data() + size_, value));
+    }
+
+    // Of an event at most 4 fields of 12 bytes; of its packet 3 more, and twice a length.
+    std::array<char, 128> bytes_;
+    std::size_t size_ = 0;
+};
 
 PerfettoFile::PerfettoFile(std::filesystem::path path, std::int64_t scale)
     : path_(std::move(path)),
@@ -132,54 +167,52 @@ std::uint64_t PerfettoFile::nanoseconds(Time time) const {
                                       time.picoseconds() % 1000 * scale_ / 1000);
 }
 
-void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time,
-                         const std::vector<Flow>& flows, bool flows_end) {
-    fields_.clear();
-    pbf_writer event(fields_);
-    event.add_uint64(track_event::type, type);
+void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time, Flow flow,
+                         bool flow_ends) {
+    Fields event;
+    event.number(track_event::type, type);
     if (name != 0) {
-        event.add_uint64(track_event::name_iid, name);
+        event.number(track_event::name_iid, name);
     }
-    event.add_uint64(track_event::track_uuid, track);
-    for (const Flow flow : flows) {
-        event.add_fixed64(flows_end ? track_event::terminating_flow_ids : track_event::flow_ids,
-                          flow);
+    event.number(track_event::track_uuid, track);
+    if (flow != 0) {
+        event.fixed(flow_ends ? track_event::terminating_flow_ids : track_event::flow_ids, flow);
     }
-    add_event(time);
+    add_event(event, time);
 }
 
-// What `fields_` holds.
-void PerfettoFile::add_event(Time time) {
-    packet_.clear();
-    pbf_writer writer(packet_);
-    writer.add_uint64(packet::timestamp, nanoseconds(time));
-    writer.add_uint32(packet::sequence_id, kSequence);
-    writer.add_uint32(packet::sequence_flags, packet::needs_state);
-    writer.add_message(packet::track_event, fields_);
-    add_packet(packet_);
+void PerfettoFile::add_event(const Fields& event, Time time) {
+    Fields packet;
+    packet.number(packet::timestamp, nanoseconds(time));
+    packet.number(packet::sequence_id, kSequence);
+    packet.number(packet::sequence_flags, packet::needs_state);
+    packet.message(packet::track_event, event);
+    Fields file;
+    file.message(trace_file::packet, packet);
+    buffer_.append(file.text());
+    if (buffer_.size() >= kFlushAt) {
+        flush();
+    }
     ++events_;
 }
 
 void PerfettoFile::count(Track counter, Time at, std::int64_t value) {
-    fields_.clear();
-    pbf_writer event(fields_);
-    event.add_uint64(track_event::type, track_event::counter);
-    event.add_uint64(track_event::track_uuid, counter);
-    event.add_int64(track_event::counter_value, value);
-    add_event(at);
+    Fields event;
+    event.number(track_event::type, track_event::counter);
+    event.number(track_event::track_uuid, counter);
+    event.number(track_event::counter_value, static_cast<std::uint64_t>(value));
+    add_event(event, at);
 }
 
-void PerfettoFile::slice(Track track, Name name, Time from, Time to,
-                         const std::vector<Flow>& flows) {
+void PerfettoFile::slice(Track track, Name name, Time from, Time to, Flow flow) {
     if (from < to) {
-        event(track, track_event::slice_begin, name, from, flows, false);
-        event(track, track_event::slice_end, 0, to, {}, false);
+        event(track, track_event::slice_begin, name, from, flow, false);
+        event(track, track_event::slice_end, 0, to, 0, false);
     }
 }
 
-void PerfettoFile::instant(Track track, Name name, Time at, const std::vector<Flow>& flows,
-                           bool flows_end) {
-    event(track, track_event::instant, name, at, flows, flows_end);
+void PerfettoFile::instant(Track track, Name name, Time at, Flow flow, bool flow_ends) {
+    event(track, track_event::instant, name, at, flow, flow_ends);
 }
 
 void PerfettoFile::flush() {

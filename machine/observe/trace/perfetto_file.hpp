@@ -15,7 +15,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rasterloom::observe {
 
@@ -23,7 +22,8 @@ class PerfettoFile {
   public:
     using Track = std::uint64_t;  // 0: none
     using Name = std::uint64_t;
-    using Flow = std::uint64_t;  // events with the same one are joined by arrows, in order of time
+    using Flow =
+        std::uint64_t;  // events with the same one are joined by arrows, in order of time; 0: none
 
     // `scale`: viewer's nanoseconds for a nanosecond of the machine's time, at least 1.
     // Throws OutputError when the file cannot be made.
@@ -39,8 +39,8 @@ class PerfettoFile {
     // A track whose events are the values of a counter, which is 0 at first.
     Track add_counter(std::string_view name, Track parent);
     // Slices of one track must not overlap; nothing is written for one that is no time long.
-    void slice(Track track, Name name, Time from, Time to, const std::vector<Flow>& flows);
-    void instant(Track track, Name name, Time at, const std::vector<Flow>& flows, bool flows_end);
+    void slice(Track track, Name name, Time from, Time to, Flow flow = 0);
+    void instant(Track track, Name name, Time at, Flow flow = 0, bool flow_ends = false);
 
     // The counter is `value` from `at` on.
     void count(Track counter, Time at, std::int64_t value);
@@ -56,9 +56,9 @@ class PerfettoFile {
 
     Track describe_track(std::string_view name, Track parent, bool is_counter);
     std::uint64_t nanoseconds(Time time) const;
-    void add_event(Time time);
-    void event(Track track, std::uint64_t type, Name name, Time time,
-               const std::vector<Flow>& flows, bool flows_end);
+    class Fields;
+    void event(Track track, std::uint64_t type, Name name, Time time, Flow flow, bool flow_ends);
+    void add_event(const Fields& event, Time time);
     void add_packet(const std::string& packet);
     void flush();
 
@@ -67,8 +67,6 @@ class PerfettoFile {
     std::unique_ptr<std::FILE, Closer> file_;
     std::int64_t scale_;
     std::string buffer_;
-    std::string fields_;  // of the event being written
-    std::string packet_;  // that holds it
     std::map<std::string, std::uint64_t, std::less<>> names_;
     std::map<Track, std::int32_t> children_;  // so far, by parent
     Track last_track_ = 0;

@@ -10,7 +10,7 @@ TraceFilter::TraceFilter(std::unique_ptr<TraceSink> sink, const TraceWindow& win
     : sink_(std::move(sink)),
       window_(window),
       nodes_(std::move(nodes)),
-      waiting_at_window_(components) {
+      waiting_at_window_(components * kQueuePlaces) {
     if (!window.components.empty()) {
         wanted_.resize(components);
         for (const ComponentId component : window.components) {
@@ -32,32 +32,31 @@ void TraceFilter::interval_ended(const StateInterval& interval) {
 }
 
 // What stands in a queue when the window opens has come at that time, for who looks through it.
-void TraceFilter::change_queue(ComponentId component, Time time, int change) {
-    if (!has(component) || time >= window_.to) {
+void TraceFilter::queue_changed(const QueueChange& change) {
+    if (!has(change.component) || change.time >= window_.to) {
         return;
     }
-    if (time < window_.from) {
-        waiting_at_window_[static_cast<std::size_t>(component)] += change;
+    const std::size_t queue = static_cast<std::size_t>(change.component) * kQueuePlaces +
+                              static_cast<std::size_t>(change.place);
+    if (change.time < window_.from) {
+        waiting_at_window_[queue] += change.change;
         return;
     }
-    tell_waiting_at_window(component);
-    sink_->queue_changed(component, time, change);
+    tell_waiting_at_window(queue);
+    sink_->queue_changed(change);
 }
 
-void TraceFilter::tell_waiting_at_window(ComponentId component) {
-    if (const int waiting =
-            std::exchange(waiting_at_window_[static_cast<std::size_t>(component)], 0)) {
-        sink_->queue_changed(component, window_.from, waiting);
+void TraceFilter::tell_waiting_at_window(std::size_t queue) {
+    if (const int waiting = std::exchange(waiting_at_window_[queue], 0)) {
+        sink_->queue_changed({static_cast<ComponentId>(queue / kQueuePlaces),
+                              static_cast<QueuePlace>(queue % kQueuePlaces), window_.from,
+                              waiting});
     }
-}
-
-void TraceFilter::message_arrived(NodeIndex node, Time time) {
-    change_queue(nodes_[node], time, 1);
 }
 
 void TraceFilter::message_consumed(const MessageRecord& message) {
     const ComponentId receiver = nodes_[message.destination];
-    change_queue(receiver, message.consumed, -1);
+    queue_changed({receiver, QueuePlace::input, message.consumed, -1});
     if (wants(message, receiver)) {
         sink_->message_consumed(message);
     }
@@ -73,12 +72,8 @@ void TraceFilter::part_interval_ended(const PartInterval& interval) {
     }
 }
 
-void TraceFilter::message_came(ComponentId part, Time time) {
-    change_queue(part, time, 1);
-}
-
 void TraceFilter::message_passed(ComponentId part, const MessageRecord& message) {
-    change_queue(part, message.consumed, -1);
+    queue_changed({part, QueuePlace::input, message.consumed, -1});
     if (wants(message, part)) {
         sink_->message_passed(part, message);
     }
@@ -86,8 +81,8 @@ void TraceFilter::message_passed(ComponentId part, const MessageRecord& message)
 
 void TraceFilter::close(const RunReport& report, const std::vector<CriticalPath>& paths) {
     // Of queues in which nothing has changed since.
-    for (std::size_t component = 0; component < waiting_at_window_.size(); ++component) {
-        tell_waiting_at_window(static_cast<ComponentId>(component));
+    for (std::size_t queue = 0; queue < waiting_at_window_.size(); ++queue) {
+        tell_waiting_at_window(queue);
     }
     sink_->close(report, paths);
 }

@@ -29,17 +29,15 @@ class TraceFilter final : public TraceSink {
                 std::vector<ComponentId> nodes, std::size_t components);
 
     void interval_ended(const StateInterval& interval) override;
-    void message_arrived(NodeIndex node, Time time) override;
+    void queue_changed(const QueueChange& change) override;
     void message_consumed(const MessageRecord& message) override;
     void phase_ended(const PhaseRecord& phase) override;
     void part_interval_ended(const PartInterval& interval) override;
-    void message_came(ComponentId part, Time time) override;
     void message_passed(ComponentId part, const MessageRecord& message) override;
     void close(const RunReport& report, const std::vector<CriticalPath>& paths) override;
 
   private:
-    void tell_waiting_at_window(ComponentId component);
-    void change_queue(ComponentId component, Time time, int change);
+    void tell_waiting_at_window(std::size_t queue);
     bool covers(Time from, Time to) const { return to > window_.from && from < window_.to; }
     bool has(ComponentId component) const {
         return wanted_.empty() || wanted_[static_cast<std::size_t>(component)];

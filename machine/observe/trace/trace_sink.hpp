@@ -15,9 +15,8 @@ namespace rasterloom::observe {
 
 class TraceSink : public NodeListener, public SupervisorListener, public PartListener {
   public:
-    // A message has come to one of the component's input queues (`change` 1) or left it (-1): what
-    // arrives and is consumed, once more, in a form in which it can be added up.
-    virtual void queue_changed(ComponentId /*component*/, Time, int /*change*/) {}
+    // All changes of queues, those that messages' records tell, too: they add up.
+    void queue_changed(const QueueChange&) override {}
     // The run is over, and everything has been told; `paths` of all frames, where they are known.
     // Throws OutputError when not everything could be written.
     virtual void close(const RunReport& report, const std::vector<CriticalPath>& paths) = 0;
