@@ -12,29 +12,30 @@ machine=${MACHINE:-geodesic482}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# Milliseconds of a whole process.
+TIMEFORMAT='%R %U %S'
+# Milliseconds of a whole process, of wall time and of all processors' time.
 milliseconds() {
-    local start
-    start=$(date +%s%N)
-    "$rasterloom" run "configs/$machine.yaml" --frames "$frames" --threads 1 --no-files --quiet "$@"
-    echo $((($(date +%s%N) - start) / 1000)) | awk '{print $1 / 1000}'
+    { time "$rasterloom" run "configs/$machine.yaml" --frames "$frames" --threads 1 --no-files --quiet "$@"; } 2>&1 |
+        awk '{print 1000 * $1, 1000 * ($2 + $3)}'
 }
 emulated() {
     "$rasterloom" run "configs/$machine.yaml" --frames "$frames" --threads 1 --no-files | awk '/^Emulated in/ {print $4 == "s" ? 1000 * $3 : $3}'
 }
 
 for _ in $(seq "$runs"); do
-    echo "run $(emulated)"
+    echo "run $(emulated) 0"
     echo "off $(milliseconds)"
     echo "perfetto $(milliseconds --trace "$folder/x.perfetto-trace")"
     echo "sqlite $(milliseconds --trace "$folder/x.sqlite")"
 done | awk -v machine="$machine" -v frames="$frames" '
-    !($1 in least) || $2 < least[$1] {least[$1] = $2}
+    !($1 in wall) || $2 < wall[$1] {wall[$1] = $2}
+    !($1 in busy) || $3 < busy[$1] {busy[$1] = $3}
     END {
-        printf "%s, %d frames: %.0f ms emulated, %.0f ms the whole process\n", machine, frames, least["run"], least["off"]
+        printf "%s, %d frames: %.0f ms emulated; the whole process %.0f ms, %.0f ms of processor time\n", machine, frames, wall["run"], wall["off"], busy["off"]
         for (i = 1; i <= 2; ++i) {
             kind = i == 1 ? "perfetto" : "sqlite"
-            printf "--trace NAME.%s: %.0f ms, %.0f %% of the emulated run more\n", kind, least[kind], 100 * (least[kind] - least["off"]) / least["run"]
+            printf "%s: %.0f ms, %.0f ms of processor time; of the emulated run %.0f %% and %.0f %% more\n", kind, wall[kind], busy[kind],
+                100 * (wall[kind] - wall["off"]) / wall["run"], 100 * (busy[kind] - busy["off"]) / wall["run"]
         }
     }'
 # Counted by parsers that are not ours.

@@ -61,6 +61,7 @@ class MessagePorts {
     bool has_room(int port) const { return (room_ >> port & 1U) != 0; }
     std::uint32_t room() const { return room_; }  // bit k: has_room(k)
     int used(int port) const { return at(port).used; }
+    int queued(int port) const { return at(port).queued(); }                // not in transfer
     void enqueue(int port, std::span<const std::uint8_t> bytes, Time now);  // has_room(port)
     // Takes the next message that may be transmitted now, if there is one; to be called until there
     // is none.

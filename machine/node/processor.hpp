@@ -183,7 +183,7 @@ class Processor final : public Component, private isa::Bus {
     bool is_foreseen_write(const RegisterAddress& address) const;
     void tell_queue(ComponentId component, QueuePlace place, int change) const;
     void tell_consumed(int port, const Message& message) const;
-    void transmit();
+    void transmit(std::optional<int> fresh_port = std::nullopt);
     void enable_interrupt(int port, bool receive, bool enable);
     void request(std::uint32_t vector);
 

@@ -219,12 +219,15 @@ isa::Bus::Status Processor::write_txlen(int port, std::uint32_t bytes) {
     if (!ports_.has_room(port)) {
         return stall(Stall::transmit, static_cast<std::uint32_t>(port));
     }
+    const int queued = ports_.queued(port);
     ports_.enqueue(port, memory.subspan(address, bytes), now());
-    tell_queue(peer(transmit_port(port)), QueuePlace::at_sender, 1);
     if (!ports_.has_room(port)) {
         core_->withdraw_interrupt(kInterruptLevel, transmit_vector(port));
     }
-    transmit();
+    transmit(port);
+    if (ports_.queued(port) > queued) {
+        tell_queue(peer(transmit_port(port)), QueuePlace::at_sender, 1);
+    }
     return Status::ok;
 }
 
@@ -289,9 +292,12 @@ isa::Bus::Status Processor::refuse(std::string what) {
     return Status::retry;
 }
 
-void Processor::transmit() {
+// A message that goes as soon as it has come, by `fresh_port`, was in no queue.
+void Processor::transmit(std::optional<int> fresh_port) {
     while (const auto transmission = ports_.next_transmission(now())) {
-        tell_queue(peer(transmit_port(transmission->port)), QueuePlace::at_sender, -1);
+        if (transmission->port != fresh_port) {
+            tell_queue(peer(transmit_port(transmission->port)), QueuePlace::at_sender, -1);
+        }
         send(transmit_port(transmission->port), static_cast<EventKind>(MessageEvent::transmit),
              to_payload(transmission->message), now());
     }

@@ -134,7 +134,7 @@ namespace {
 
 // Moves the records of a keeper that ended before `reached` to those that are due.
 template <class Record, class Ended>
-void move_due(std::vector<Record>& kept, std::deque<Record>& due, Time reached, Ended ended) {
+void move_due(std::vector<Record>& kept, std::vector<Record>& due, Time reached, Ended ended) {
     const auto later = std::stable_partition(
         kept.begin(), kept.end(), [&](const Record& record) { return ended(record) < reached; });
     due.insert(due.end(), kept.begin(), later);
@@ -146,10 +146,11 @@ void move_due(std::vector<Record>& kept, std::deque<Record>& due, Time reached, 
 // By the time at which they end, and by node. What one node tells is in order already.
 void RecordMerger::collect_intervals(Time reached) {
     for (const auto& keeper : keepers_) {
-        move_due(keeper->intervals, due_, reached,
+        move_due(keeper->intervals, due_.records(), reached,
                  [](const auto& interval) { return interval.to; });
     }
-    std::stable_sort(due_.begin(), due_.end(), [this](const auto& a, const auto& b) {
+    std::vector<StateInterval>& due = due_.records();
+    std::stable_sort(due.begin(), due.end(), [this](const auto& a, const auto& b) {
         return a.to != b.to ? a.to < b.to : component_of_[a.node] < component_of_[b.node];
     });
 }
@@ -157,10 +158,11 @@ void RecordMerger::collect_intervals(Time reached) {
 // Likewise, by part.
 void RecordMerger::collect_part_records(Time reached) {
     for (const auto& keeper : keepers_) {
-        move_due(keeper->part_records, due_of_parts_, reached,
+        move_due(keeper->part_records, due_of_parts_.records(), reached,
                  [](const auto& record) { return record.ended(); });
     }
-    std::stable_sort(due_of_parts_.begin(), due_of_parts_.end(), [](const auto& a, const auto& b) {
+    std::vector<PartRecord>& due = due_of_parts_.records();
+    std::stable_sort(due.begin(), due.end(), [](const auto& a, const auto& b) {
         return a.ended() != b.ended() ? a.ended() < b.ended() : a.part < b.part;
     });
 }
@@ -168,13 +170,22 @@ void RecordMerger::collect_part_records(Time reached) {
 // Likewise, by component. What one tells of several queues at one time is in its order.
 void RecordMerger::collect_changes(Time reached) {
     for (const auto& keeper : keepers_) {
-        move_due(keeper->changes, due_changes_, reached,
+        move_due(keeper->changes, due_changes_.records(), reached,
                  [](const auto& change) { return change.time; });
     }
-    const auto precedes = [](const QueueChange& a, const QueueChange& b) {
-        return a.time != b.time ? a.time < b.time : a.component < b.component;
-    };
-    std::stable_sort(due_changes_.begin(), due_changes_.end(), precedes);
+    const auto earlier = [](const auto& a, const auto& b) { return a.time < b.time; };
+    const auto lower = [](const auto& a, const auto& b) { return a.component < b.component; };
+    std::vector<QueueChange>& due = due_changes_.records();
+    // They are in the order of time already unless there are several partitions.
+    if (!std::is_sorted(due.begin(), due.end(), earlier)) {
+        std::stable_sort(due.begin(), due.end(), earlier);
+    }
+    for (auto from = due.begin(); from != due.end();) {
+        const auto to = std::find_if(from + 1, due.end(),
+                                     [&](const auto& other) { return other.time != from->time; });
+        std::stable_sort(from, to, lower);
+        from = to;
+    }
 }
 
 void RecordMerger::tell(const StateInterval& interval) const {
@@ -203,7 +214,7 @@ void RecordMerger::tell(const QueueChange& change) const {
 void RecordMerger::tell_intervals(Time before) {
     const auto tell_next = [this](auto& due) {
         tell(due.front());
-        due.pop_front();
+        due.pop();
     };
     while (true) {
         const Time node = due_.empty() ? Time::never() : due_.front().to;

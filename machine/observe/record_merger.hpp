@@ -17,7 +17,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -62,6 +61,26 @@ class RecordMerger {
 
         Time ended() const;
     };
+    // Records to be told, in order; none between two flushes.
+    template <class Record>
+    class Due {
+      public:
+        bool empty() const { return next_ == records_.size(); }
+        const Record& front() const { return records_[next_]; }
+        void pop() {
+            if (++next_ == records_.size()) {
+                records_.clear();
+                next_ = 0;
+            }
+        }
+        // To be filled, and put in order, while it is empty.
+        std::vector<Record>& records() { return records_; }
+
+      private:
+        std::vector<Record> records_;
+        std::size_t next_ = 0;
+    };
+
     void collect_intervals(Time reached);
     void collect_part_records(Time reached);
     void collect_changes(Time reached);
@@ -80,10 +99,9 @@ class RecordMerger {
     std::vector<ComponentId> component_of_;
     Order order_;
     bool keeps_intervals_ = false;
-    // To be told, in order; none between two flushes.
-    std::deque<StateInterval> due_;
-    std::deque<PartRecord> due_of_parts_;
-    std::deque<QueueChange> due_changes_;
+    Due<StateInterval> due_;
+    Due<PartRecord> due_of_parts_;
+    Due<QueueChange> due_changes_;
     std::vector<std::unique_ptr<Keeper>> keepers_;  // [partition]
     std::vector<NodeListener*> node_listeners_;
     std::vector<SupervisorListener*> supervisor_listeners_;
