@@ -1,0 +1,67 @@
+; The renderers' lane memory and data formats; every file of programs/vliw includes this one. Word addresses of the fast memory.
+; Who fills what: H the host, before the run (or a scanline at a time: the matrix); G geometry; C communication; R rasterising.
+;
+; The lane and its share of the screen (H)
+lane        = 0x00      ; this lane's number
+column      = 0x01      ; the column of the screen that it draws; 0x7fff: none
+polygons    = 0x02      ; polygons in this lane's database
+polygons_at = 0x03      ; where its database begins: kPolygon words each
+source_at   = 0x04      ; where its array of descriptors to be sent begins
+source_end  = 0x05      ; first word behind that
+receive_at  = 0x06      ; the same of descriptors received
+receive_end = 0x07
+most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
+error       = 0x09      ; 0, or why the program halted: 1 source array full, 2 receive array full (G, C)
+;
+; The view (H). x' = (m0 x + m1 y + m2 z) / 2^14 + m9, and so on: eye space, x right, y up, z away; visible from near on.
+; Screen, in 1/16 pixel: sx = 16 * 384 + f x'/z', sy = 16 * 256 - f y'/z'; samples lie on whole pixels, row 0 is the upper one.
+matrix      = 0x10      ; m0 ... m8 s1.14, m9 ... m11 integers
+focal       = 0x1c      ; f, in 1/16 pixel: 11200
+near        = 0x1d      ; 4097: smallest z' of a visible vertex, by the range of the reciprocals
+;
+; Lights, all white (H). Intensities add up and end at 255.
+ambient     = 0x20      ; 0 ... 255
+sun         = 0x21      ; 3 words: unit vector towards the directional light, eye space, s1.14
+sun_diffuse = 0x24      ; intensity times diffuse coefficient, 0 ... 255
+sun_specular = 0x25     ; intensity times specular coefficient, 0 ... 255
+lamp        = 0x26      ; 3 words: place of the point light, eye space, integers
+lamp_diffuse = 0x29
+lamp_specular = 0x2a
+shininess   = 0x2b      ; the specular cosine is squared so many times: 0 ... 6
+;
+; Queues (G, C, R)
+source_count  = 0x30    ; descriptors to be sent
+receive_count = 0x31    ; descriptors received
+drawing     = 0x32      ; word address of the frame buffer being drawn
+shown       = 0x33      ; of the one being shown
+;
+geometry_scratch = 0x40 ; 0x40 ... 0x9f
+other_scratch = 0xa0    ; 0xa0 ... 0xff: communication, rasterising
+frame_buffers = 0x100   ; two of 512 rows of 3 words: see pixel
+roots       = 0x0d00    ; inverse square roots (H): roots + (m - 128), m = 128 ... 511: round(2^18 / sqrt(2 m)), at most 0x4000
+scratch_end = 0x1000    ; databases and queues lie from here to 0x7fff
+reciprocals = 0x8000    ; (H) reciprocals + z, z = 0 ... 32767: min(round(2^28 / z), 65535)
+;
+; A polygon of the database: counter-clockwise triangle as seen from the front (Eldridge 1995, figure 7-5)
+kPolygon    = 24        ; words
+;   vertex v at 7 v: x, y, z integers; nx, ny, nz s1.14; u, v: two bytes (u the upper), 0.8
+;   21: red, green bytes; 22: blue byte, texture's upper byte; 23: texture's lower bytes (0: no texture)
+;
+; A polygon descriptor (figure 7-6). Edges: E = A x + B y + C, x and y whole pixels, A and B in 1/16 pixel, C the floor of 1/16 of the
+; exact value; a sample is inside where all three E >= 0 (so its sign is exact). Parameters p(x, y) = A x + B y + C, s15.16 each:
+; depth is 2^28 / z' (greater is nearer), u and v are u (0 ... 255) times depth / 256. Intensity: A, B s7.8, C s15.16, 0 ... 255.
+kDescriptor = 42        ; words; 32-bit values: lower word first
+d_left      = 0         ; columns and rows, whole pixels, within the screen: ceil of the least, floor of the greatest
+d_right     = 1
+d_top       = 2
+d_bottom    = 3
+d_passes    = 4         ; the communication's own: what it still has to do with this descriptor
+d_colour    = 5         ; red, green; then blue, texture; then texture, as in the database
+d_edges     = 8         ; three of: A, B, C (two words)
+d_depth     = 20        ; A, B, C two words each
+d_intensity = 26        ; A, B one word each, C two words
+d_u         = 30        ; A, B, C two words each
+d_v         = 36
+;
+; A pixel: 3 words. 0: depth, whole part (0: nothing drawn); 1: depth's fraction, upper byte; red; 2: green, blue.
+kPixel      = 3
