@@ -5,7 +5,7 @@ set -euo pipefail
 packages=(
     g++ cmake ninja-build ccache git ca-certificates
     libboost-dev libboost-graph-dev libboost-filesystem-dev libfmt-dev libspdlog-dev libyaml-cpp-dev
-    libcli11-dev libassimp-dev libglm-dev libpng-dev zlib1g-dev nlohmann-json3-dev libprotozero-dev libsqlite3-dev protobuf-compiler
+    libcli11-dev libassimp-dev libglm-dev libpng-dev zlib1g-dev nlohmann-json3-dev libprotozero-dev libsqlite3-dev protobuf-compiler libhwy-dev
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
     simh python3-numpy python3-matplotlib
     libopenmpi-dev openmpi-bin

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// Kernels that reach beyond their block's rows: lane memory, communication registers, the rest.
+#include "machine/node/lockstep/highway_targets.hpp"
+#include "machine/node/lockstep/kernel_tables.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "machine/node/lockstep/kernels_memory.cpp"
+#include "machine/node/lockstep/vectors-inl.hpp"
+
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterloom::lockstep {
+namespace HWY_NAMESPACE {
+namespace {
+
+// do_lane(lane) for every lane that exists, or for those that are awake.
+template <bool kMasked, class DoLane>
+HWY_INLINE void each_lane(const LaneBlock& block, DoLane do_lane) {
+    if (!kMasked) {
+        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
+            do_lane(lane);
+        }
+        return;
+    }
+    for (std::size_t word = 0; word < block.bit_words(); ++word) {
+        for (std::uint64_t bits = block.awake[word]; bits != 0; bits &= bits - 1) {
+            do_lane(word * kBitsPerWord + static_cast<std::size_t>(std::countr_zero(bits)));
+        }
+    }
+}
+
+std::size_t first_awake(const LaneBlock& block) {
+    std::size_t word = 0;
+    while (block.awake[word] == 0) {
+        ++word;
+    }
+    return word * kBitsPerWord + static_cast<std::size_t>(std::countr_zero(block.awake[word]));
+}
+
+template <bool kMasked>
+HWY_INLINE bool is_uniform(const LaneBlock& block, const std::uint16_t* row, std::uint16_t value) {
+    const Words d;
+    const Vector same = hn::Set(d, value);
+    Mask differs = hn::Ne(same, same);  // nowhere
+    for (std::size_t lane = 0; lane < block.width; lane += hn::Lanes(d)) {
+        Mask here = hn::Ne(hn::Load(d, row + lane), same);
+        if (kMasked) {
+            here = hn::And(here, load_bits(block.awake, lane));
+        }
+        differs = hn::Or(differs, here);
+    }
+    return hn::AllFalse(d, differs);
+}
+
+// Each lane's address, base + offset modulo 2^16, and the range they are in.
+struct Addresses {
+    alignas(64) std::uint16_t of[kMaxWidth];
+    std::uint16_t least;
+    std::uint16_t most;
+};
+
+// `same`: any awake lane's address, which stands in for lanes that are not.
+template <bool kMasked>
+HWY_INLINE void find_addresses(const LaneBlock& block, const MicroOperation& op, std::uint16_t same,
+                               Addresses& addresses) {
+    const Words d;
+    const Vector offset = hn::Set(d, op.immediate);
+    Vector least = hn::Set(d, same);
+    Vector most = least;
+    for (std::size_t lane = 0; lane < block.width; lane += hn::Lanes(d)) {
+        Vector address = hn::Add(hn::Load(d, block.rows + op.a + lane), offset);
+        if (kMasked) {
+            address = hn::IfThenElse(load_bits(block.awake, lane), address, hn::Set(d, same));
+        }
+        hn::Store(address, d, addresses.of + lane);
+        least = hn::Min(least, address);
+        most = hn::Max(most, address);
+    }
+    addresses.least = hn::GetLane(hn::MinOfLanes(d, least));
+    addresses.most = hn::GetLane(hn::MaxOfLanes(d, most));
+}
+
+template <bool kMasked>
+HWY_INLINE void load_at(LaneBlock& block, std::uint16_t* dst, std::uint32_t address) {
+    const MemoryRegion& region = block.parts->memory->region(address);
+    const MemoryView& view = region.view();
+    const std::uint16_t* const from = region.at(view, block.index, address);
+    if (view.lane_stride == 1) {
+        each_vector<kMasked>(block, dst, [from](std::size_t lane) HWY_ATTR {
+            return hn::Load(Words(), from + lane);
+        });
+    } else if (view.lane_stride == 0) {
+        const Vector value = hn::Set(Words(), *from);
+        each_vector<kMasked>(block, dst, [value](std::size_t) HWY_ATTR { return value; });
+    } else {
+        each_lane<kMasked>(
+            block, [&](std::size_t lane) HWY_ATTR { dst[lane] = from[lane * view.lane_stride]; });
+    }
+}
+
+template <bool kMasked>
+HWY_INLINE void store_at(LaneBlock& block, const std::uint16_t* src, std::uint32_t address) {
+    LaneMemory& memory = *block.parts->memory;
+    const MemoryRegion& region = memory.region(address);
+    if (region.view().lane_stride == 0) {
+        memory.unshare(region);
+    }
+    const MemoryView& view = region.view();
+    std::uint16_t* const to = region.at(view, block.index, address);
+    if (view.lane_stride == 1) {
+        each_vector<kMasked>(
+            block, to, [src](std::size_t lane) HWY_ATTR { return hn::Load(Words(), src + lane); });
+    } else {
+        each_lane<kMasked>(
+            block, [&](std::size_t lane) HWY_ATTR { to[lane * view.lane_stride] = src[lane]; });
+    }
+}
+
+// do_word(lane, word of memory) for every lane (that is awake) at its own address.
+template <bool kMasked, class DoWord>
+HWY_INLINE void each_word(LaneBlock& block, std::uint32_t bank, const Addresses& addresses,
+                          DoWord do_word) {
+    const LaneMemory& memory = *block.parts->memory;
+    const MemoryRegion& region = memory.region(bank + addresses.least);
+    if (!region.holds(bank + addresses.most)) {
+        each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
+            const MemoryRegion& own = memory.region(bank + addresses.of[lane]);
+            const MemoryView& view = own.view();
+            do_word(lane,
+                    own.at(view, block.index, bank + addresses.of[lane])[lane * view.lane_stride]);
+        });
+        return;
+    }
+    const MemoryView view = region.view();
+    std::uint16_t* const words = region.at(view, block.index, bank + addresses.least);
+    const std::size_t least = addresses.least;
+    if (view.address_stride == 1) {
+        each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
+            do_word(lane, words[addresses.of[lane] - least + lane * view.lane_stride]);
+        });
+    } else {
+        each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
+            do_word(lane, words[(addresses.of[lane] - least) * view.address_stride + lane]);
+        });
+    }
+}
+
+template <bool kMasked>
+void load_fixed(LaneBlock& block, const MicroOperation& op) {
+    load_at<kMasked>(block, block.rows + op.dst, op.where);
+}
+template <bool kMasked>
+void store_fixed(LaneBlock& block, const MicroOperation& op) {
+    store_at<kMasked>(block, block.rows + op.b, op.where);
+}
+
+template <bool kMasked>
+void load(LaneBlock& block, const MicroOperation& op) {
+    const std::uint16_t* const base = block.rows + op.a;
+    const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
+    const auto address = static_cast<std::uint16_t>(value + op.immediate);
+    if (is_uniform<kMasked>(block, base, value)) {
+        load_at<kMasked>(block, block.rows + op.dst, op.where + address);
+        return;
+    }
+    Addresses addresses;
+    find_addresses<kMasked>(block, op, address, addresses);
+    std::uint16_t* const dst = block.rows + op.dst;
+    each_word<kMasked>(block, op.where, addresses,
+                       [dst](std::size_t lane, std::uint16_t word) HWY_ATTR { dst[lane] = word; });
+}
+
+template <bool kMasked>
+void store(LaneBlock& block, const MicroOperation& op) {
+    const std::uint16_t* const base = block.rows + op.a;
+    const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
+    const auto address = static_cast<std::uint16_t>(value + op.immediate);
+    if (is_uniform<kMasked>(block, base, value)) {
+        store_at<kMasked>(block, block.rows + op.b, op.where + address);
+        return;
+    }
+    Addresses addresses;
+    find_addresses<kMasked>(block, op, address, addresses);
+    LaneMemory& memory = *block.parts->memory;
+    each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
+        const MemoryRegion& region = memory.region(op.where + addresses.of[lane]);
+        if (region.view().lane_stride == 0) {
+            memory.unshare(region);
+        }
+    });
+    const std::uint16_t* const src = block.rows + op.b;
+    each_word<kMasked>(block, op.where, addresses,
+                       [src](std::size_t lane, std::uint16_t& word) HWY_ATTR { word = src[lane]; });
+}
+
+// The block's communication registers lie side by side in the ring, or at its end and its start.
+template <bool kMasked>
+void put(LaneBlock& block, const MicroOperation& op) {
+    auto& ring = *block.parts->ring;
+    const std::uint16_t* const src = block.rows + op.b;
+    const std::size_t until_end = std::min(block.lanes, ring.size() - block.ring_place);
+    if (!kMasked) {
+        std::copy_n(src, until_end, ring.data() + block.ring_place);
+        std::copy_n(src + until_end, block.lanes - until_end, ring.data());
+        return;
+    }
+    each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
+        ring[lane < until_end ? block.ring_place + lane : lane - until_end] = src[lane];
+    });
+}
+
+template <bool kMasked>
+void get(LaneBlock& block, const MicroOperation& op) {
+    const auto& ring = *block.parts->ring;
+    const std::size_t until_end = std::min(block.lanes, ring.size() - block.ring_place);
+    alignas(64) std::uint16_t found[kMaxWidth];
+    std::uint16_t* const dst = block.rows + op.dst;
+    std::uint16_t* const to = kMasked ? found : dst;
+    std::copy_n(ring.data() + block.ring_place, until_end, to);
+    std::copy_n(ring.data(), block.lanes - until_end, to + until_end);
+    if (kMasked) {
+        std::fill(found + block.lanes, found + block.width, std::uint16_t{0});
+        each_vector<true>(block, dst, [&found](std::size_t lane) HWY_ATTR {
+            return hn::Load(Words(), found + lane);
+        });
+    }
+}
+
+template <bool kMasked>
+void aux(LaneBlock& block, const MicroOperation& op) {
+    const Vector value = hn::Set(Words(), block.parts->aux);
+    each_vector<kMasked>(block, block.rows + op.dst,
+                         [value](std::size_t) HWY_ATTR { return value; });
+}
+
+void keep_test(LaneBlock& block, const MicroOperation&) {
+    block.kept = block.test;
+}
+
+template <bool kMasked>
+constexpr std::array<Kernel, kKernelCodes - kRegisterCodes> table_of() {
+    return {load_fixed<kMasked>, load<kMasked>, store_fixed<kMasked>, store<kMasked>,
+            put<kMasked>,        get<kMasked>,  aux<kMasked>,         keep_test};
+}
+
+constexpr auto kFull = table_of<false>();
+constexpr auto kMasked = table_of<true>();
+
+}  // namespace
+
+std::span<const Kernel> memory_table(bool masked) {
+    return masked ? kMasked : kFull;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rasterloom::lockstep
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rasterloom::lockstep {
+
+HWY_EXPORT(memory_table);
+
+std::span<const Kernel> memory_kernels(bool masked) {
+    return HWY_DYNAMIC_DISPATCH(memory_table)(masked);
+}
+
+}  // namespace rasterloom::lockstep
+#endif
