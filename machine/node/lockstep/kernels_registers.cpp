@@ -5,12 +5,14 @@
 
 #include <utility>
 
+// Highway includes this file again for each instruction set; the order matters.
+// clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "machine/node/lockstep/kernels_registers.cpp"
-#include "machine/node/lockstep/vectors-inl.hpp"
-
-#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include "machine/node/lockstep/vectors-inl.hpp"
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterloom::lockstep {
