@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Damaged graph files are read or refused, in one line that names the file; never anything else.
+#include "tests/damage.hpp"
 #include "topologies/graph_file.hpp"
 
 #include <cstdlib>
@@ -19,31 +20,6 @@ constexpr std::string_view kGraphml =
     "<key id='t' for='node' attr.name='theta'/>\n<graph edgedefault='undirected'>\n"
     "<node id='a'><data key='p'>30</data><data key='t'>60</data></node>\n<node id='b'/>\n"
     "<edge source='a' target='b'/></graph></graphml>\n";
-
-// A few bytes replaced, removed, inserted or repeated.
-std::string damaged(std::string_view whole, std::mt19937& random) {
-    std::string text(whole);
-    const auto below = [&random](std::size_t n) { return n == 0 ? 0 : random() % n; };
-    for (auto times = 1 + below(4); times > 0; --times) {
-        const auto at = below(text.size());
-        switch (below(4)) {
-            case 0:
-                text[at] = static_cast<char>(below(256));
-                break;
-            case 1:
-                text.erase(at, 1 + below(20));
-                break;
-            case 2:
-                text.insert(at, 1, static_cast<char>(below(256)));
-                break;
-            default:
-                text.insert(at, text.substr(below(text.size()), below(30)));
-        }
-        if (text.empty())
-            return text;
-    }
-    return text;
-}
 
 template <typename Read>
 void refuse_or_read(Read read, std::string_view whole) {
