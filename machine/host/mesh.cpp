@@ -49,6 +49,16 @@ void check_vectors(const Mesh& mesh) {
         throw std::invalid_argument(
             fmt::format("{}: {} normals for {} vertices, expected one for each or none", mesh.name,
                         mesh.normals.size(), mesh.positions.size()));
+    if (!mesh.texture_coordinates.empty() &&
+        mesh.texture_coordinates.size() != mesh.positions.size())
+        throw std::invalid_argument(
+            fmt::format("{}: {} texture coordinates for {} vertices, expected one for each or none",
+                        mesh.name, mesh.texture_coordinates.size(), mesh.positions.size()));
+    for (std::size_t i = 0; i < mesh.texture_coordinates.size(); ++i)
+        if (const auto& t = mesh.texture_coordinates[i]; !std::isfinite(t.x) || !std::isfinite(t.y))
+            throw std::invalid_argument(
+                fmt::format("{}: vertex {} has texture coordinates ({}, {}), expected finite ones",
+                            mesh.name, i, t.x, t.y));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         if (const auto& p = mesh.positions[i]; !is_finite(p))
             throw std::invalid_argument(

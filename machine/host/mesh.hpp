@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace rasterloom::host {
@@ -22,7 +23,8 @@ struct Mesh {
 
     std::string name;
     std::vector<glm::dvec3> positions;
-    std::vector<glm::dvec3> normals;  // empty, or one a position (any length but zero)
+    std::vector<glm::dvec3> normals;              // empty, or one a position (any length but zero)
+    std::vector<glm::dvec2> texture_coordinates;  // empty, or one a position; u right, v up
     std::vector<Polygon> polygons;
     std::vector<std::string> surface_names;
     // Set when the mesh stands for an exact sphere of this radius about the origin.
@@ -59,9 +61,9 @@ void tilt(Mesh& mesh, double degrees);
 void fit_to_sphere(Mesh& mesh, double radius = 0.98);
 
 // Checks what every later step relies on: at least one polygon, indices in range, finite
-// coordinates, normals for all positions or none. Drops degenerate polygons (fewer than three
-// different corners, or no area) and counts them. Throws std::invalid_argument, naming the mesh and
-// the first offending vertex or polygon.
+// coordinates, normals and texture coordinates for all positions or none. Drops degenerate polygons
+// (fewer than three different corners, or no area) and counts them. Throws std::invalid_argument,
+// naming the mesh and the first offending vertex or polygon.
 void check(Mesh& mesh);
 
 // Triangles of all polygons; polygons with more corners become fans.

@@ -19,14 +19,34 @@ glm::dvec3 to_vector(const aiVector3D& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-void append(Mesh& mesh, const aiMesh& part, bool with_normals) {
+// What every part of a scene has, or no vertex of the mesh.
+struct Extras {
+    bool normals = true;
+    bool texture_coordinates = true;
+};
+
+Extras extras_of(const aiScene& scene) {
+    Extras extras;
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        extras.normals = extras.normals && scene.mMeshes[i]->HasNormals();
+        extras.texture_coordinates =
+            extras.texture_coordinates && scene.mMeshes[i]->HasTextureCoords(0);
+    }
+    return extras;
+}
+
+void append(Mesh& mesh, const aiMesh& part, const Extras& extras) {
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
     const auto surface = static_cast<std::uint32_t>(mesh.surface_names.size());
     mesh.surface_names.emplace_back(part.mName.C_Str());
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
         mesh.positions.push_back(to_vector(part.mVertices[i]));
-        if (with_normals)
+        if (extras.normals)
             mesh.normals.push_back(to_vector(part.mNormals[i]));
+        if (extras.texture_coordinates) {
+            const auto at = to_vector(part.mTextureCoords[0][i]);
+            mesh.texture_coordinates.push_back({at.x, at.y});
+        }
     }
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
         const aiFace& face = part.mFaces[i];
@@ -35,13 +55,6 @@ void append(Mesh& mesh, const aiMesh& part, bool with_normals) {
             polygon.corners.push_back(base + face.mIndices[k]);
         mesh.polygons.push_back(std::move(polygon));
     }
-}
-
-bool all_have_normals(const aiScene& scene) {
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i)
-        if (!scene.mMeshes[i]->HasNormals())
-            return false;
-    return true;
 }
 
 }  // namespace
@@ -63,9 +76,9 @@ Mesh load_mesh(const std::filesystem::path& path, Polygons polygons) {
 
     Mesh mesh;
     mesh.name = path.string();
-    const bool with_normals = all_have_normals(*scene);
+    const Extras extras = extras_of(*scene);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i)
-        append(mesh, *scene->mMeshes[i], with_normals);
+        append(mesh, *scene->mMeshes[i], extras);
     if (mesh.polygons.empty())
         fail(path, "no polygons, expected a mesh");
     try {

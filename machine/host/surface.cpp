@@ -31,11 +31,8 @@ std::vector<std::uint32_t> weld(const Mesh& mesh, std::vector<glm::dvec3>& posit
     return welded;
 }
 
-// Fans of all polygons, without triangles that have two corners at one place; returns the corners
-// in the mesh.
-std::vector<Corners> add_triangles(Surface& surface, const Mesh& mesh,
-                                   const std::vector<std::uint32_t>& welded) {
-    std::vector<Corners> mesh_corners;
+// Fans of all polygons, without triangles that have two corners at one place.
+void add_triangles(Surface& surface, const Mesh& mesh, const std::vector<std::uint32_t>& welded) {
     for (const auto& polygon : mesh.polygons)
         for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k) {
             const Corners corners{polygon.corners[0], polygon.corners[k], polygon.corners[k + 1]};
@@ -43,9 +40,8 @@ std::vector<Corners> add_triangles(Surface& surface, const Mesh& mesh,
             if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
                 continue;
             surface.triangles.push_back({v, {}, 0, false});
-            mesh_corners.push_back(corners);
+            surface.mesh_corners.push_back(corners);
         }
-    return mesh_corners;
 }
 
 struct HalfEdge {
@@ -95,10 +91,10 @@ void join_all_edges(Surface& surface) {
 }
 
 // Reverses the winding of one triangle; the edges keep their neighbours.
-void turn(Surface& surface, std::vector<Corners>& mesh_corners, std::uint32_t t) {
+void turn(Surface& surface, std::uint32_t t) {
     auto& triangle = surface.triangles[t];
     std::swap(triangle.vertices[1], triangle.vertices[2]);
-    std::swap(mesh_corners[t][1], mesh_corners[t][2]);
+    std::swap(surface.mesh_corners[t][1], surface.mesh_corners[t][2]);
     std::swap(triangle.across[0], triangle.across[2]);
     triangle.is_turned = !triangle.is_turned;
     for (std::uint8_t e = 0; e < 3; ++e)
@@ -116,10 +112,8 @@ bool agrees(const Surface& surface, const Surface::Side& side) {
 // Everything connected with a triangle, wound as it is.
 class PieceGatherer {
   public:
-    PieceGatherer(Surface& surface, std::vector<Corners>& mesh_corners)
-        : surface_(surface),
-          mesh_corners_(mesh_corners),
-          index_(static_cast<std::uint32_t>(surface.pieces.size())) {}
+    explicit PieceGatherer(Surface& surface)
+        : surface_(surface), index_(static_cast<std::uint32_t>(surface.pieces.size())) {}
 
     void gather(std::uint32_t seed, std::vector<bool>& seen) {
         spread(seed, seen);
@@ -131,7 +125,7 @@ class PieceGatherer {
                                           [&](auto t) { return surface_.triangles[t].is_turned; });
         if (2 * static_cast<std::size_t>(turned) > members_.size())  // the majority decides
             for (const auto t : members_)
-                turn(surface_, mesh_corners_, t);
+                turn(surface_, t);
     }
 
   private:
@@ -169,7 +163,7 @@ class PieceGatherer {
         if (seen[next])
             return;
         if (!agrees(surface_, from))
-            turn(surface_, mesh_corners_, next);
+            turn(surface_, next);
         seen[next] = true;
         open.push_back(next);
     }
@@ -192,7 +186,6 @@ class PieceGatherer {
     }
 
     Surface& surface_;
-    std::vector<Corners>& mesh_corners_;
     std::uint32_t index_;
     std::vector<std::uint32_t> members_;
 };
@@ -202,13 +195,13 @@ class PieceGatherer {
 Surface build_surface(const Mesh& mesh, NormalStyle style, double crease_cosine) {
     Surface surface;
     const auto welded = weld(mesh, surface.positions);
-    auto mesh_corners = add_triangles(surface, mesh, welded);
+    add_triangles(surface, mesh, welded);
     join_all_edges(surface);
     std::vector<bool> seen(surface.triangles.size(), false);
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
         if (!seen[t])
-            PieceGatherer(surface, mesh_corners).gather(t, seen);
-    add_normals(surface, mesh, mesh_corners, style, crease_cosine);
+            PieceGatherer(surface).gather(t, seen);
+    add_normals(surface, mesh, style, crease_cosine);
     return surface;
 }
 

@@ -42,6 +42,7 @@ struct Surface {
 
     std::vector<glm::dvec3> positions;
     std::vector<Triangle> triangles;
+    std::vector<std::array<std::uint32_t, 3>> mesh_corners;  // of each triangle, in its mesh
     std::vector<std::array<glm::dvec3, 3>>
         normals;  // of each triangle's corners, unit, on the side of its winding
     std::vector<Piece> pieces;
@@ -52,10 +53,7 @@ struct Surface {
 // wound in opposite directions, two by two. `crease_cosine`: cosine of the crease angle.
 Surface build_surface(const Mesh& mesh, NormalStyle style, double crease_cosine);
 
-// The second half of build_surface: fills surface.normals. `mesh_corners[t]`: corners of triangle t
-// in the mesh.
-void add_normals(Surface& surface, const Mesh& mesh,
-                 const std::vector<std::array<std::uint32_t, 3>>& mesh_corners, NormalStyle style,
-                 double crease_cosine);
+// The second half of build_surface: fills surface.normals.
+void add_normals(Surface& surface, const Mesh& mesh, NormalStyle style, double crease_cosine);
 
 }  // namespace rasterloom::host

@@ -10,8 +10,6 @@
 namespace rasterloom::host {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
-
 // Unit normal, or zero for a triangle without area.
 glm::dvec3 face_normal(const Surface& surface, const Surface::Triangle& triangle) {
     const auto& [a, b, c] = triangle.vertices;
@@ -72,11 +70,10 @@ void smooth(Surface& surface, const std::vector<glm::dvec3>& faces, double creas
 }
 
 // A file's normals count for their direction only: which side is outside follows from the winding.
-void take_from_mesh(Surface& surface, const Mesh& mesh, const std::vector<Corners>& mesh_corners,
-                    const std::vector<glm::dvec3>& faces) {
+void take_from_mesh(Surface& surface, const Mesh& mesh, const std::vector<glm::dvec3>& faces) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto& given = mesh.normals[mesh_corners[t][k]];
+            const auto& given = mesh.normals[surface.mesh_corners[t][k]];
             const double length = glm::length(given);
             if (length > 0 && std::isfinite(length))
                 surface.normals[t][k] = (glm::dot(given, faces[t]) < 0 ? -given : given) / length;
@@ -85,8 +82,7 @@ void take_from_mesh(Surface& surface, const Mesh& mesh, const std::vector<Corner
 
 }  // namespace
 
-void add_normals(Surface& surface, const Mesh& mesh, const std::vector<Corners>& mesh_corners,
-                 NormalStyle style, double crease_cosine) {
+void add_normals(Surface& surface, const Mesh& mesh, NormalStyle style, double crease_cosine) {
     std::vector<glm::dvec3> faces;
     faces.reserve(surface.triangles.size());
     surface.normals.clear();
@@ -100,7 +96,7 @@ void add_normals(Surface& surface, const Mesh& mesh, const std::vector<Corners>&
     if (mesh.normals.empty())
         smooth(surface, faces, crease_cosine);
     else
-        take_from_mesh(surface, mesh, mesh_corners, faces);
+        take_from_mesh(surface, mesh, faces);
 }
 
 }  // namespace rasterloom::host

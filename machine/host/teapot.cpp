@@ -8,13 +8,20 @@
 
 #include "machine/host/primitives.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <stdexcept>
-#include <string>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace rasterloom::host {
 namespace {
+
+constexpr int kFewest = 2;  // segments
+constexpr int kMost = 64;
+constexpr int kMostUneven = 4;
 
 using Curve = std::array<glm::dvec2, 4>;
 
@@ -57,34 +64,34 @@ Point bezier(const Point& a, const Point& b, const Point& c, const Point& d, dou
 }
 
 // Four quarter arcs, counter-clockwise.
-std::vector<glm::dvec2> swept_circle(int subdivisions) {
+std::vector<glm::dvec2> swept_circle(int around) {
     std::vector<glm::dvec2> points;
     glm::dvec2 from{1, 0};
     for (int quarter = 0; quarter < 4; ++quarter) {
         const glm::dvec2 to{-from.y, from.x};
-        for (int i = 0; i < subdivisions; ++i)
+        for (int i = 0; i < around; ++i)
             points.push_back(bezier(from, from + 0.56 * to, to + 0.56 * from, to,
-                                    static_cast<double>(i) / subdivisions));
+                                    static_cast<double>(i) / around));
         from = to;
     }
     return points;
 }
 
-Mesh make_body(int subdivisions) {
+Mesh make_body(const TeapotTessellation& tessellation) {
+    const int along = tessellation.along;
     std::vector<glm::dvec2> profile;
     for (std::size_t k = 0; k < kProfile.size(); ++k) {
         const auto& [a, b, c, d] = kProfile[k];
         const bool joins_next = k + 1 < kProfile.size() && kProfile[k + 1].front() == d;
-        for (int i = 0; i < subdivisions + (joins_next ? 0 : 1); ++i)
-            profile.push_back(
-                i == subdivisions ? d : bezier(a, b, c, d, static_cast<double>(i) / subdivisions));
+        for (int i = 0; i < along + (joins_next ? 0 : 1); ++i)
+            profile.push_back(i == along ? d : bezier(a, b, c, d, static_cast<double>(i) / along));
     }
-    return make_revolution(profile, swept_circle(subdivisions), "body");
+    return make_revolution(profile, swept_circle(tessellation.around), "body");
 }
 
 // The closed section at parameter t of the four rows that begin at `rows`, counter-clockwise seen
 // along the tube backwards.
-void add_section(Mesh& mesh, std::span<const Ring, 4> rows, double t, int subdivisions) {
+void add_section(Mesh& mesh, std::span<const Ring, 4> rows, double t, int around) {
     const auto along = [&](auto point_of) {
         return bezier(point_of(rows[0]), point_of(rows[1]), point_of(rows[2]), point_of(rows[3]),
                       t);
@@ -96,25 +103,26 @@ void add_section(Mesh& mesh, std::span<const Ring, 4> rows, double t, int subdiv
         const glm::dvec2 place = bezier(inner, inner, outer, outer, s);
         return glm::dvec3{place.x, -bezier(0.0, width, width, 0.0, s), place.y};
     };
-    for (int i = 0; i < subdivisions; ++i)
-        mesh.positions.push_back(point(static_cast<double>(i) / subdivisions));
-    for (int i = subdivisions; i > 0; --i) {
-        const auto mirrored = point(static_cast<double>(i) / subdivisions);
+    for (int i = 0; i < around; ++i)
+        mesh.positions.push_back(point(static_cast<double>(i) / around));
+    for (int i = around; i > 0; --i) {
+        const auto mirrored = point(static_cast<double>(i) / around);
         mesh.positions.push_back({mirrored.x, -mirrored.y, mirrored.z});
     }
 }
 
 // The tube's two ends are closed by fans to `first_end` and `last_end`.
-void add_tube(Mesh& mesh, const Tube& rings, int subdivisions, const glm::dvec3& first_end,
-              const glm::dvec3& last_end, std::uint32_t surface) {
+void add_tube(Mesh& mesh, const Tube& rings, const TeapotTessellation& tessellation,
+              const glm::dvec3& first_end, const glm::dvec3& last_end, std::uint32_t surface) {
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-    const auto ring_size = static_cast<std::uint32_t>(2 * subdivisions);
-    const auto sections = static_cast<std::uint32_t>(2 * subdivisions);
+    const auto& [around, along] = tessellation;
+    const auto ring_size = static_cast<std::uint32_t>(2 * around);
+    const auto sections = static_cast<std::uint32_t>(2 * along);
     for (std::uint32_t k = 0; k <= sections; ++k) {
-        const std::size_t patch = k < ring_size / 2 ? 0 : 3;
-        const auto step = patch == 0 ? static_cast<int>(k) : static_cast<int>(k) - subdivisions;
+        const std::size_t patch = k < sections / 2 ? 0 : 3;
+        const auto step = patch == 0 ? static_cast<int>(k) : static_cast<int>(k) - along;
         add_section(mesh, std::span<const Ring, 4>{&rings[patch], 4},
-                    static_cast<double>(step) / subdivisions, subdivisions);
+                    static_cast<double>(step) / along, around);
     }
     const auto vertex = [&](std::uint32_t section, std::uint32_t i) {
         return base + section * ring_size + i % ring_size;
@@ -151,11 +159,11 @@ double volume(const Mesh& mesh, std::size_t first) {
     return sum;
 }
 
-void add_solid_tube(Mesh& mesh, const Tube& rings, int subdivisions, const glm::dvec3& first_end,
-                    const glm::dvec3& last_end, const char* name) {
+void add_solid_tube(Mesh& mesh, const Tube& rings, const TeapotTessellation& tessellation,
+                    const glm::dvec3& first_end, const glm::dvec3& last_end, const char* name) {
     const std::size_t first = mesh.polygons.size();
     mesh.surface_names.emplace_back(name);
-    add_tube(mesh, rings, subdivisions, first_end, last_end,
+    add_tube(mesh, rings, tessellation, first_end, last_end,
              static_cast<std::uint32_t>(mesh.surface_names.size() - 1));
     if (volume(mesh, first) < 0)
         for (std::size_t i = first; i < mesh.polygons.size(); ++i)
@@ -164,14 +172,39 @@ void add_solid_tube(Mesh& mesh, const Tube& rings, int subdivisions, const glm::
 
 }  // namespace
 
-Mesh make_teapot(int subdivisions) {
-    if (subdivisions < 2 || subdivisions > 64)
-        throw std::invalid_argument("teapot: " + std::to_string(subdivisions) +
-                                    " subdivisions, expected 2 to 64");
-    Mesh mesh = make_body(subdivisions);
+// The body's bands are round four quarters, two of them with poles in place of a ring; handle and
+// spout have two patches each way and two fans.
+std::size_t TeapotTessellation::triangles() const {
+    return 8 * static_cast<std::size_t>(around) * (8 * static_cast<std::size_t>(along) + 1);
+}
+
+TeapotTessellation teapot_tessellation(std::size_t triangles) {
+    const auto merit = [&](const TeapotTessellation& t) {
+        const std::size_t has = t.triangles();
+        return std::pair(
+            has < triangles ? triangles - has : has - triangles,
+            static_cast<double>(std::max(t.around, t.along)) / std::min(t.around, t.along));
+    };
+    TeapotTessellation best;
+    for (int around = kFewest; around <= kMost; ++around)
+        for (int along = kFewest; along <= kMost; ++along)
+            if (const TeapotTessellation other{around, along}; around <= kMostUneven * along &&
+                                                               along <= kMostUneven * around &&
+                                                               merit(other) < merit(best))
+                best = other;
+    return best;
+}
+
+Mesh make_teapot(const TeapotTessellation& tessellation) {
+    const auto& [around, along] = tessellation;
+    if (std::min(around, along) < kFewest || std::max(around, along) > kMost)
+        throw std::invalid_argument(
+            fmt::format("teapot: {} segments round a patch and {} along it, expected {} to {}",
+                        around, along, kFewest, kMost));
+    Mesh mesh = make_body(tessellation);
     mesh.name = "teapot";
-    add_solid_tube(mesh, kHandle, subdivisions, {-1.3, 0, 2.1}, {-1.6, 0, 0.8}, "handle");
-    add_solid_tube(mesh, kSpout, subdivisions, {1.5, 0, 1.0}, {2.8, 0, 2.2}, "spout");
+    add_solid_tube(mesh, kHandle, tessellation, {-1.3, 0, 2.1}, {-1.6, 0, 0.8}, "handle");
+    add_solid_tube(mesh, kSpout, tessellation, {1.5, 0, 1.0}, {2.8, 0, 2.2}, "spout");
     check(mesh);
     orient(mesh, {.up = Axis::plus_z, .front = Axis::minus_y});
     return mesh;

@@ -7,11 +7,25 @@
 
 #include "machine/host/mesh.hpp"
 
+#include <cstddef>
+
 namespace rasterloom::host {
 
+// Segments of a patch's edges: round the axis of its solid, and along it; 2 to 64 each.
+struct TeapotTessellation {
+    int around = 12;
+    int along = 12;
+
+    std::size_t triangles() const;
+    friend bool operator==(const TeapotTessellation&, const TeapotTessellation&) = default;
+};
+
+// The one whose number of triangles comes nearest to `triangles`, and of such the most even;
+// neither of its numbers is more than four times the other.
+TeapotTessellation teapot_tessellation(std::size_t triangles);
+
 // Seen from the side, the spout at the viewer's right, standing upright; not yet fitted to the unit
-// sphere. `subdivisions`: segments an edge of a patch, 2 to 64; throws std::invalid_argument
-// otherwise.
-Mesh make_teapot(int subdivisions = 12);
+// sphere. Throws std::invalid_argument for numbers out of range.
+Mesh make_teapot(const TeapotTessellation& tessellation = {});
 
 }  // namespace rasterloom::host

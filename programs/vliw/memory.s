@@ -20,6 +20,8 @@ focal       = 0x1c      ; f, in 1/16 pixel: 11200
 near        = 0x1d      ; 4097: smallest z' of a visible vertex, by the range of the reciprocals
 ;
 ; Lights, all white (H). Intensities add up and end at 255.
+; A light at l (unit) gives a vertex with normal n, where n.l > 0: diffuse (n.l) + specular max(0, r.v)^(2^shininess),
+; r = 2 (n.l) n - l, v = (0, 0, -1): the viewer is far away. So r.v = lz - 2 (n.l) nz.
 ambient     = 0x20      ; 0 ... 255
 sun         = 0x21      ; 3 words: unit vector towards the directional light, eye space, s1.14
 sun_diffuse = 0x24      ; intensity times diffuse coefficient, 0 ... 255
