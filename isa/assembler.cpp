@@ -30,13 +30,16 @@ std::uint32_t memory_value(std::int64_t value) {
     return static_cast<std::uint32_t>(value < 0 ? value & 0xffff : value);
 }
 
-Image make_image(Pass& pass, std::string_view name) {
+Image make_image(Pass& pass, std::string_view name, const Dialect& dialect) {
     Image image;
     image.name = std::string(name);
     image.segments = pass.segments();
     for (const auto& [symbol, definition] : pass.symbols()) {
         if (!SymbolTable::is_local(symbol)) {
             image.symbols.emplace(symbol, memory_value(definition.value));
+            if (definition.label) {
+                image.labels.insert(symbol);
+            }
         }
     }
     for (const AssembledLine& line : pass.lines()) {
@@ -45,7 +48,7 @@ Image make_image(Pass& pass, std::string_view name) {
         }
     }
     const std::uint32_t lowest = image.segments.empty() ? 0 : image.segments.front().address;
-    image.entry = pass.entry().value_or(lowest);
+    image.entry = pass.entry().value_or(lowest / static_cast<std::uint32_t>(dialect.address_unit));
     return image;
 }
 
@@ -99,7 +102,7 @@ Assembly assemble_lines(const Dialect& dialect, std::string_view name, const Lin
         if (!settled) {
             pass.diagnostics().push_back(unsettled(previous, pass.symbols()));
         }
-        Assembly assembly{make_image(pass, name), std::move(pass.diagnostics()),
+        Assembly assembly{make_image(pass, name, dialect), std::move(pass.diagnostics()),
                           std::move(pass.lines()), unused(pass, options)};
         sort_by_place(assembly.diagnostics);
         return assembly;
@@ -109,7 +112,8 @@ Assembly assemble_lines(const Dialect& dialect, std::string_view name, const Lin
 }  // namespace
 
 Dialect dialect_of(const Isa& isa) {
-    return {isa.instructions(), &isa.syntax(), isa.word_bits(), isa.address_bits()};
+    return {isa.instructions(), &isa.syntax(), isa.word_bits(), isa.address_bits(),
+            isa.address_unit()};
 }
 
 Assembly assemble_file(const Dialect& dialect, const std::filesystem::path& path,

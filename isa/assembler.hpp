@@ -27,6 +27,7 @@ struct Dialect {
     const Syntax* syntax = nullptr;
     int word_bits = 16;     // 8 or 16
     int address_bits = 16;  // at most 16
+    int address_unit = 1;   // bytes
 };
 
 Dialect dialect_of(const Isa& isa);

@@ -10,7 +10,7 @@
 namespace rasterloom::isa {
 namespace {
 
-constexpr std::size_t kLongestInstruction = 8;  // words, of any ISA
+constexpr std::size_t kLongestInstruction = 9;  // words, of any ISA
 
 std::string number(unsigned value, int radix) {
     return radix == 8 ? fmt::format("0{:o}", value) : fmt::format("0x{:x}", value);
@@ -32,24 +32,27 @@ std::vector<std::uint16_t> words_of_bytes(std::span<const std::uint8_t> bytes, i
 std::vector<DisassembledLine> disassemble(const Dialect& dialect,
                                           std::span<const std::uint8_t> bytes,
                                           std::uint32_t address) {
-    const std::size_t unit = dialect.word_bits == 8 ? 1 : 2;
+    const std::size_t word = dialect.word_bits == 8 ? 1 : 2;
+    const auto unit = static_cast<std::size_t>(dialect.address_unit);
+    const auto address_of = [&](std::size_t at) {
+        return static_cast<std::uint32_t>(address + at / unit);
+    };
     std::vector<DisassembledLine> lines;
     const auto single_byte = [&](std::size_t at) {
-        lines.push_back({static_cast<std::uint32_t>(address + at), 1,
-                         ".byte " + number(bytes[at], dialect.syntax->default_radix())});
+        lines.push_back(
+            {address_of(at), 1, ".byte " + number(bytes[at], dialect.syntax->default_radix())});
     };
     std::size_t at = 0;
-    if (unit == 2 && address % 2 != 0 && !bytes.empty()) {
+    if (word == 2 && address * unit % 2 != 0 && !bytes.empty()) {
         single_byte(at++);
     }
-    while (at + unit <= bytes.size()) {
-        const std::size_t length = std::min(bytes.size() - at, kLongestInstruction * unit);
+    while (at + word <= bytes.size()) {
+        const std::size_t length = std::min(bytes.size() - at, kLongestInstruction * word);
         const auto words = words_of_bytes(bytes.subspan(at, length), dialect.word_bits);
-        DecodedText decoded =
-            dialect.syntax->decode(words, static_cast<std::uint32_t>(address + at));
-        const std::size_t size = static_cast<std::size_t>(decoded.words) * unit;
-        lines.push_back({static_cast<std::uint32_t>(address + at), static_cast<std::uint32_t>(size),
-                         std::move(decoded.text)});
+        DecodedText decoded = dialect.syntax->decode(words, address_of(at));
+        const std::size_t size = static_cast<std::size_t>(decoded.words) * word;
+        lines.push_back(
+            {address_of(at), static_cast<std::uint32_t>(size), std::move(decoded.text)});
         at += size;
     }
     if (at < bytes.size()) {
@@ -66,9 +69,9 @@ std::string disassemble(const Dialect& dialect, const Image& image) {
     const int radix = dialect.syntax->default_radix();
     std::string text;
     for (const Segment& segment : image.segments) {
-        fmt::format_to(std::back_inserter(text), "        . = {}\n",
-                       number(segment.address, radix));
-        for (const DisassembledLine& line : disassemble(dialect, segment.bytes, segment.address)) {
+        const auto start = segment.address / static_cast<std::uint32_t>(dialect.address_unit);
+        fmt::format_to(std::back_inserter(text), "        . = {}\n", number(start, radix));
+        for (const DisassembledLine& line : disassemble(dialect, segment.bytes, start)) {
             const auto [first, last] = names.equal_range(line.address);
             for (auto name = first; name != last; ++name) {
                 fmt::format_to(std::back_inserter(text), "{}:\n", name->second);

@@ -21,12 +21,14 @@ class Syntax;
 
 // One instruction form. `format` and `operation` number the ISA's own enumerations.
 struct InstructionRow {
-    std::uint32_t mask = 0;   // bits of the first word that identify the instruction
+    std::uint32_t mask = 0;   // bits of the first word that identify the instruction; of a wide
+                              // instruction word: of its slot's operation, as the ISA has it
     std::uint32_t match = 0;  // their values
     std::string_view mnemonic;
     int format = 0;            // which operands, and where they stand
     int operation = 0;         // which semantics
     std::string_view summary;  // one line for documentation
+    int slot = 0;              // of a wide instruction word; rows of different slots go together
 };
 
 // A number of the cost model that a configuration may override.
@@ -78,7 +80,8 @@ class Isa {
     virtual std::string_view name() const = 0;
     virtual std::string_view summary() const = 0;
     virtual int word_bits() const = 0;                // of an instruction word: 8, 16, 32
-    virtual int address_bits() const = 0;             // of a byte address
+    virtual int address_bits() const = 0;             // of a program's address
+    virtual int address_unit() const { return 1; }    // bytes that have one address in a program
     virtual std::uint32_t private_bytes() const = 0;  // memory below the I/O page
     virtual std::span<const std::string_view> register_names() const = 0;
     virtual std::span<const InstructionRow> instructions() const = 0;

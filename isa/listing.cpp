@@ -14,12 +14,15 @@
 namespace rasterloom::isa {
 namespace {
 
-constexpr std::size_t kColumnWidth = 21;  // three octal words
+constexpr std::size_t kColumnWidth = 21;  // at least: three octal words
 constexpr std::size_t kMostRows = 4;      // of a line that is not an instruction
 
 struct Digits {
     explicit Digits(const Isa& isa)
-        : octal(isa.syntax().default_radix() == 8), by_words(isa.word_bits() == 16) {}
+        : octal(isa.syntax().default_radix() == 8),
+          by_words(isa.word_bits() == 16),
+          unit(static_cast<std::size_t>(isa.address_unit())),
+          column(std::max(kColumnWidth, unit / 2 * (octal ? 7 : 5))) {}
     std::string address(std::uint32_t value) const {
         return octal ? fmt::format("{:06o}", value) : fmt::format("{:04x}", value);
     }
@@ -28,18 +31,20 @@ struct Digits {
     }
     bool octal;
     bool by_words;
+    std::size_t unit;    // bytes
+    std::size_t column;  // where the words stand: wide enough for a unit
 };
 
 // The bytes as numbers, in rows that fit the column: words where they stand at even addresses.
 std::vector<std::string> rows_of(const AssembledLine& line, const Digits& digits) {
     std::vector<std::string> rows(1);
     for (std::size_t i = 0; i < line.bytes.size();) {
-        const bool word =
-            digits.by_words && (line.address + i) % 2 == 0 && i + 1 < line.bytes.size();
+        const bool word = digits.by_words && (line.address * digits.unit + i) % 2 == 0 &&
+                          i + 1 < line.bytes.size();
         const std::string number =
             word ? digits.address(line.bytes[i] | unsigned{line.bytes[i + 1]} << 8)
                  : digits.byte(line.bytes[i]);
-        if (rows.back().size() + 1 + number.size() > kColumnWidth) {
+        if (rows.back().size() + 1 + number.size() > digits.column) {
             if (rows.size() == kMostRows && !line.instruction) {
                 rows.push_back(fmt::format("... {} bytes", line.bytes.size()));
                 return rows;
@@ -73,7 +78,7 @@ std::string symbol_table(const Image& image, const Digits& digits) {
 std::string make_listing(const Assembly& assembly, const Isa& isa, const CostChoice& cost) {
     const Digits digits(isa);
     std::string text = fmt::format("{:<8}{:<{}}{:>6}{:>5}  source\n", "address", "words",
-                                   kColumnWidth + 1, "fetch", "data");
+                                   digits.column + 1, "fetch", "data");
     std::string_view file;
     for (const AssembledLine& line : assembly.lines) {
         if (!line.expanded && line.where.file != file) {
@@ -84,7 +89,7 @@ std::string make_listing(const Assembly& assembly, const Isa& isa, const CostCho
         const auto cycles = cost_of(line, isa, cost);
         fmt::format_to(std::back_inserter(text), "{:<8}{:<{}}{:>6}{:>5}  {}{}\n",
                        line.bytes.empty() ? "" : digits.address(line.address), rows[0],
-                       kColumnWidth + 1, cycles ? fmt::format("{}", cycles->fetch) : "",
+                       digits.column + 1, cycles ? fmt::format("{}", cycles->fetch) : "",
                        cycles ? fmt::format("{}", cycles->data) : "", line.expanded ? "+ " : "",
                        line.text);
         for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -12,7 +12,10 @@ struct OperandText {
     int offset = 0;         // of the text in the whole
 };
 
-// Splits at commas outside of (...), <...> and character constants. Empty for blank text.
+// Splits at every separator outside of (...), <...> and character constants; at least one part.
+std::vector<OperandText> split_outside_groups(std::string_view text, char separator);
+
+// The same at commas. Empty for blank text.
 std::vector<OperandText> split_operands(std::string_view operands);
 
 }  // namespace rasterloom::isa

@@ -15,7 +15,7 @@ namespace rasterloom::isa {
 
 // Goes up with every change to core.hpp, image.hpp, isa.hpp or syntax.hpp that an existing plug-in
 // would not survive.
-inline constexpr std::uint32_t kPluginVersion = 2;
+inline constexpr std::uint32_t kPluginVersion = 3;
 
 inline constexpr const char* kPluginSymbol = "rasterloom_isa_plugin";
 

@@ -132,7 +132,7 @@ void Pass::reserve(Rest operands, std::int64_t unit) {
     if (!count) {
         return;
     }
-    const std::int64_t room = (std::int64_t{1} << dialect_.address_bits) - dot_;
+    const std::int64_t room = end_of_memory() - dot_;
     if (*count < 0 || *count * unit > room) {
         return error(operands.at, fmt::format("no room for {}. times {} bytes: {}. are left",
                                               *count, unit, room));
@@ -186,7 +186,7 @@ void Pass::do_asciz(Rest operands) {
 
 void Pass::do_org(Rest operands) {
     if (const auto address = as_address(evaluate(operands), operands.at)) {
-        dot_ = *address;
+        dot_ = std::int64_t{*address} * dialect_.address_unit;
         lines_.back().address = *address;
     }
 }

@@ -63,7 +63,7 @@ void Pass::read_line(const SourceLine& line) {
     line_ = &line;
     lines_.push_back({line.location(0),
                       std::string(line.text()),
-                      static_cast<std::uint32_t>(dot_),
+                      static_cast<std::uint32_t>(here()),
                       {},
                       false,
                       sources_.top().expansion});
@@ -132,7 +132,11 @@ void Pass::define_label(std::string_view name, std::size_t at) {
         return error(
             at, fmt::format("'{}' is defined already, at {}", name, to_string(earlier->where)));
     }
-    symbols_.define(name, {dot_, true, line_->location(at)});
+    if (inside_unit()) {
+        error(at, fmt::format("'{}' would stand inside of {} bytes that have one address", name,
+                              dialect_.address_unit));
+    }
+    symbols_.define(name, {here(), true, line_->location(at)});
 }
 
 bool Pass::take_assignment(Cursor& cursor) {
@@ -269,9 +273,9 @@ void Pass::instruction(const InstructionRow& row, std::string_view prefix, Rest 
                                   int offset) -> std::optional<std::uint32_t> {
         return as_word(evaluate({expression, position(offset)}), position(offset));
     };
-    check_word_boundary(operands.at);
+    check_instruction_boundary(operands.at);
     const EncodedInstruction encoded =
-        dialect_.syntax->encode(row, text, static_cast<std::uint32_t>(dot_), value_of);
+        dialect_.syntax->encode(row, text, static_cast<std::uint32_t>(here()), value_of);
     for (const SyntaxError& found : encoded.errors) {
         error(position(found.offset), found.message);
     }

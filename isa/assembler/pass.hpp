@@ -87,6 +87,12 @@ class Pass {
     void emit_word(std::uint16_t word);
     void emit_instruction_word(std::uint16_t word);
     void check_word_boundary(std::size_t at);
+    void check_instruction_boundary(std::size_t at);
+    std::int64_t here() const { return dot_ / dialect_.address_unit; }  // the present address
+    bool inside_unit() const { return dot_ % dialect_.address_unit != 0; }
+    std::int64_t end_of_memory() const {  // in bytes
+        return (std::int64_t{1} << dialect_.address_bits) * dialect_.address_unit;
+    }
 
     // directives.cpp: data and settings
     static std::span<const Directive> directives();
@@ -157,7 +163,7 @@ class Pass {
     std::optional<std::uint32_t> entry_;
 
     const SourceLine* line_ = nullptr;  // the one being read
-    std::int64_t dot_ = 0;
+    std::int64_t dot_ = 0;              // where the next byte goes, in bytes
     int radix_;
     int created_labels_ = 30000;
     std::size_t argument_count_ = 0;  // of the latest macro call, for .narg

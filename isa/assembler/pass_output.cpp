@@ -45,7 +45,7 @@ std::optional<std::int64_t> Pass::evaluate(Rest expression) {
 }
 
 std::optional<std::int64_t> Pass::symbol_value(std::string_view name) const {
-    return name == "." ? std::optional(dot_) : symbols_.value_of(name);
+    return name == "." ? std::optional(here()) : symbols_.value_of(name);
 }
 
 std::optional<std::uint16_t> Pass::as_word(std::optional<std::int64_t> value, std::size_t at) {
@@ -66,7 +66,7 @@ std::optional<std::uint32_t> Pass::as_address(std::optional<std::int64_t> value,
 }
 
 void Pass::emit_byte(std::uint8_t byte) {
-    if (dot_ >= std::int64_t{1} << dialect_.address_bits) {
+    if (dot_ >= end_of_memory()) {
         if (!stopped_) {
             error(0, "the program passes the end of the address space");
         }
@@ -75,7 +75,7 @@ void Pass::emit_byte(std::uint8_t byte) {
     }
     AssembledLine& line = lines_.back();
     if (line.bytes.empty()) {
-        line.address = static_cast<std::uint32_t>(dot_);
+        line.address = static_cast<std::uint32_t>(here());
     }
     if (const auto earlier =
             output_.write(static_cast<std::uint32_t>(dot_), byte, lines_.size() - 1);
@@ -106,6 +106,15 @@ void Pass::check_word_boundary(std::size_t at) {
     if (dialect_.word_bits > 8 && (dot_ & 1) != 0) {
         error(at, "a word at an odd address; .even is missing before");
         ++dot_;
+    }
+}
+
+void Pass::check_instruction_boundary(std::size_t at) {
+    check_word_boundary(at);
+    if (inside_unit()) {
+        error(at, fmt::format("an instruction inside of {} bytes that have one address",
+                              dialect_.address_unit));
+        dot_ = (here() + 1) * dialect_.address_unit;
     }
 }
 

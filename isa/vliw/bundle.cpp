@@ -15,17 +15,8 @@ constexpr bool reads_a(AluOp op) {
 constexpr bool reads_b(const Bundle::Alu& alu) {
     return alu.op != AluOp::none && alu.op != AluOp::tget && !alu.immediate;
 }
-constexpr bool loads(MemOp op) {
-    return op == MemOp::ld || op == MemOp::lds;
-}
-constexpr bool stores(MemOp op) {
-    return op == MemOp::st || op == MemOp::sts;
-}
-constexpr bool is_slow(MemOp op) {
-    return op == MemOp::lds || op == MemOp::sts;
-}
-constexpr bool shifts(CommOp op) {
-    return op == CommOp::right || op == CommOp::left;
+constexpr bool comm_reads(CommOp op) {
+    return op == CommOp::put || op == CommOp::vout;
 }
 constexpr bool comm_writes(CommOp op) {
     return op == CommOp::get || op == CommOp::aux;
@@ -108,8 +99,8 @@ std::uint32_t registers_read(const Bundle& bundle) {
     add(mul.op != MulOp::none, mul.a);
     add(mul.op != MulOp::none && !mul.immediate, mul.b);
     add(mem.op != MemOp::none, mem.base);
-    add(stores(mem.op), mem.reg);
-    add(comm.op == CommOp::put || comm.op == CommOp::vout, comm.reg);
+    add(is_store(mem.op), mem.reg);
+    add(comm_reads(comm.op), comm.reg);
     return read & ~1U;
 }
 
@@ -121,7 +112,7 @@ std::uint32_t registers_written(const Bundle& bundle) {
     };
     add(alu.op != AluOp::none && !is_test(alu.op), alu.dst);
     add(mul.op != MulOp::none, mul.dst);
-    add(loads(mem.op), mem.reg);
+    add(is_load(mem.op), mem.reg);
     add(comm_writes(comm.op), comm.reg);
     return written & ~1U;
 }
@@ -137,7 +128,7 @@ std::optional<std::string> conflict(const Bundle& bundle) {
     const auto add = [&writes](bool active, std::uint8_t reg) { writes[reg] += active ? 1 : 0; };
     add(alu.op != AluOp::none && !is_test(alu.op), alu.dst);
     add(mul.op != MulOp::none, mul.dst);
-    add(loads(mem.op), mem.reg);
+    add(is_load(mem.op), mem.reg);
     add(comm_writes(comm.op), comm.reg);
     int results = 0;
     for (std::size_t reg = 1; reg < writes.size(); ++reg) {
@@ -150,15 +141,47 @@ std::optional<std::string> conflict(const Bundle& bundle) {
         return fmt::format("writes {} registers; the register file has {} write ports", results,
                            kWritePorts);
     }
-    if (shifts(comm.op) && comm.count == 0) {
+    if (is_shift(comm.op) && comm.count == 0) {
         return "shifts by no place";
     }
     return std::nullopt;
 }
 
+Bundle without_unused_fields(const Bundle& bundle) {
+    const auto& [seq, alu, mul, mem, comm, sleep, immediate] = bundle;
+    Bundle tidy;
+    tidy.sleep = sleep;
+    tidy.seq.op = seq.op;
+    tidy.seq.counter = has_counter(seq.op) ? seq.counter : std::uint8_t{0};
+    if (has_address(seq.op) || seq.op == SeqOp::setc || seq.op == SeqOp::phase) {
+        tidy.seq.target = seq.target;
+    }
+    if (alu.op != AluOp::none) {
+        tidy.alu = {alu.op,
+                    is_test(alu.op) ? alu.mode : TestMode::set,
+                    is_test(alu.op) ? std::uint8_t{0} : alu.dst,
+                    reads_a(alu.op) ? alu.a : std::uint8_t{0},
+                    reads_b(alu) ? alu.b : std::uint8_t{0},
+                    alu.immediate && alu.op != AluOp::tget};
+    }
+    if (mul.op != MulOp::none) {
+        tidy.mul = mul;
+        tidy.mul.b = mul.immediate ? std::uint8_t{0} : mul.b;
+    }
+    if (mem.op != MemOp::none) {
+        tidy.mem = mem;
+        tidy.mem.bank = is_slow(mem.op) ? mem.bank : std::uint8_t{0};
+    }
+    tidy.comm.op = comm.op;
+    tidy.comm.reg = comm_reads(comm.op) || comm_writes(comm.op) ? comm.reg : std::uint8_t{0};
+    tidy.comm.count = is_shift(comm.op) ? comm.count : std::uint16_t{0};
+    tidy.immediate = tidy.alu.immediate || tidy.mul.immediate ? immediate : std::uint16_t{0};
+    return tidy;
+}
+
 std::int64_t cycles_of(const Bundle& bundle) {
     std::int64_t cycles = is_slow(bundle.mem.op) ? kSlowCycles : 1;
-    if (shifts(bundle.comm.op)) {
+    if (is_shift(bundle.comm.op)) {
         cycles = std::max<std::int64_t>(cycles, bundle.comm.count);
     } else if (bundle.comm.op == CommOp::cast) {
         cycles = std::max<std::int64_t>(cycles, kCastCycles);

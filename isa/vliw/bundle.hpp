@@ -26,9 +26,10 @@
 namespace rasterloom::isa::vliw {
 
 inline constexpr int kRegisters = 32;
-inline constexpr int kCounters = 8;         // loop counters of the sequencer
-inline constexpr int kCallDepth = 16;       // return addresses of the sequencer
-inline constexpr int kWordsPerBundle = 9;   // 16-bit words
+inline constexpr int kCounters = 8;        // loop counters of the sequencer
+inline constexpr int kCallDepth = 16;      // return addresses of the sequencer
+inline constexpr int kWordsPerBundle = 9;  // 16-bit words
+inline constexpr int kBytesPerBundle = 2 * kWordsPerBundle;
 inline constexpr int kReadPorts = 4;        // different registers that a bundle may read
 inline constexpr int kWritePorts = 2;       // registers that a bundle may write
 inline constexpr int kMaxShift = 1023;      // places
@@ -196,6 +197,10 @@ std::uint32_t registers_written(const Bundle& bundle);
 // can.
 std::optional<std::string> conflict(const Bundle& bundle);
 
+// The bundle with zeros in all fields that its operations do not use: what the assembler makes of
+// the same operations.
+Bundle without_unused_fields(const Bundle& bundle);
+
 // How long the sequencer holds the bundle.
 std::int64_t cycles_of(const Bundle& bundle);
 // Slots that do something.
@@ -210,10 +215,26 @@ constexpr bool writes_carry(AluOp op) {
 constexpr bool reads_carry(AluOp op) {
     return op == AluOp::adc || op == AluOp::sbc || op == AluOp::tltb || op == AluOp::tgeb;
 }
+constexpr bool is_slow(MemOp op) {
+    return op == MemOp::lds || op == MemOp::sts;
+}
+constexpr bool is_load(MemOp op) {
+    return op == MemOp::ld || op == MemOp::lds;
+}
+constexpr bool is_store(MemOp op) {
+    return op == MemOp::st || op == MemOp::sts;
+}
+constexpr bool is_shift(CommOp op) {
+    return op == CommOp::right || op == CommOp::left;
+}
 // Whether the sequencer may go on elsewhere than at the next bundle.
 constexpr bool leaves(SeqOp op) {
     return op != SeqOp::none && op != SeqOp::setc && op != SeqOp::ldc && op != SeqOp::setp &&
            op != SeqOp::phase && op != SeqOp::frame;
+}
+// Whether the operation has a counter.
+constexpr bool has_counter(SeqOp op) {
+    return op == SeqOp::setc || op == SeqOp::ldc || op == SeqOp::dec;
 }
 // Whether `target` is the address of a bundle.
 constexpr bool has_address(SeqOp op) {

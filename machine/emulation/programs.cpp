@@ -6,6 +6,7 @@
 #include "isa/diagnostic.hpp"
 #include "isa/image_files.hpp"
 #include "isa/pdp11/pdp11.hpp"
+#include "isa/vliw/vliw.hpp"
 
 #include <stdexcept>
 
@@ -64,6 +65,7 @@ isa::Image assemble(const isa::Isa& isa, const MachineDescription& machine) {
 isa::IsaRegistry built_in_isas() {
     isa::IsaRegistry registry;
     registry.add(isa::pdp11::pdp11_isa());
+    registry.add(isa::vliw::vliw_isa());
     return registry;
 }
 

@@ -59,7 +59,7 @@ TEST(IsaRegistry, SaysWhichFileIsNoPlugInAndWhy) {
                           "rasterloom_isa_plugin"));
     EXPECT_THAT(
         complaint([&] { registry.load(kBinaries / "libisa_old_plugin.so"); }),
-        HasSubstr("was built for version 0 of the plug-in contract, version 2 is expected"));
+        HasSubstr("was built for version 0 of the plug-in contract, version 3 is expected"));
     EXPECT_TRUE(registry.all().empty());
 }
 
