@@ -60,14 +60,16 @@ class Generator {
     std::uint8_t source() { return static_cast<std::uint8_t>(below(kRegisters)); }
     std::uint8_t destination() { return static_cast<std::uint8_t>(below(kUniform)); }
     std::uint16_t here() const { return static_cast<std::uint16_t>(bundles_.size()); }
+    // Mostly small, so that addresses meet.
+    int few(int bound) { return below(percent(70) ? 4 : bound); }
     std::uint16_t number() {
         return percent(50) ? static_cast<std::uint16_t>(random_())
                            : pick<std::uint16_t>({0, 1, 2, 15, 0x7fff, 0x8000, 0xffff});
     }
 
-    // A sequencer's operation, others beside it.
+    // A sequencer's operation, sometimes others beside it.
     std::size_t emit_sequencer(SeqOp op, int counter = 0, std::uint16_t target = 0) {
-        Bundle bundle = op == SeqOp::callp || op == SeqOp::line ? Bundle{} : work();
+        Bundle bundle = percent(options_.crowd) ? work() : Bundle{};
         bundle.seq = {op, static_cast<std::uint8_t>(counter), target};
         bundles_.push_back(bundle);
         return bundles_.size() - 1;
@@ -99,9 +101,16 @@ class Generator {
             }
         } else if (kind < 28) {
             setting();
-        } else if (kind < 34) {
-            address_register();
         } else {
+            straight_line();
+        }
+    }
+
+    void straight_line() {
+        for (int more = 1 + below(8); more > 0; --more) {
+            if (percent(15)) {
+                address_register();
+            }
             bundles_.push_back(work());
         }
     }
@@ -144,10 +153,10 @@ class Generator {
         Bundle bundle;
         if (percent(30)) {
             bundle.alu = {AluOp::mov, TestMode::set, kUniform, 0, 0, true};
-            bundle.immediate = static_cast<std::uint16_t>(below(32));
+            bundle.immediate = static_cast<std::uint16_t>(few(32));
         } else if (percent(50)) {
             bundle.alu = {AluOp::and_, TestMode::set, kOwn, source(), 0, true};
-            bundle.immediate = 31;
+            bundle.immediate = pick<std::uint16_t>({3, 3, 31});
         } else {
             bundle.alu = {AluOp::add,
                           TestMode::set,
@@ -176,20 +185,21 @@ class Generator {
 
     void add_operation(Bundle& bundle) {
         const int kind = below(100);
-        if (kind < 45) {
-            bundle.alu = {static_cast<AluOp>(1 + below(kAluOps - 1)),
+        if (kind < 42) {
+            bundle.alu = {percent(30) ? pick({AluOp::adds, AluOp::adc, AluOp::sbc, AluOp::tltb})
+                                      : static_cast<AluOp>(1 + below(kAluOps - 1)),
                           pick({TestMode::set, TestMode::both, TestMode::either}),
                           destination(),
                           source(),
                           source(),
                           percent(30)};
-        } else if (kind < 57) {
+        } else if (kind < 52) {
             bundle.mul = {
                 pick({MulOp::mul, MulOp::mulu, MulOp::mulsu}), destination(), source(), source(),
                 static_cast<std::uint8_t>(below(32)),          percent(30)};
-        } else if (kind < 80) {
+        } else if (kind < 76) {
             bundle.mem = memory();
-        } else if (kind < 92) {
+        } else if (kind < 86) {
             bundle.comm = communication();
         } else {
             bundle.sleep =
@@ -202,9 +212,9 @@ class Generator {
         const auto base = pick<std::uint8_t>({0, 0, kUniform, kOwn, kOwn, kHigh, kHigh + 1});
         const std::uint16_t start =
             base >= kHigh ? static_cast<std::uint16_t>(kWindow - kHighBase) : kWindow;
-        return {op, static_cast<std::uint8_t>(below(kSlowBanks)),
+        return {op, static_cast<std::uint8_t>(below(percent(70) ? 1 : kSlowBanks)),
                 is_load(op) ? destination() : source(), base,
-                static_cast<std::uint16_t>(start + below(kWindowWords - 31))};
+                static_cast<std::uint16_t>(start + few(kWindowWords - 31))};
     }
 
     Bundle::Communication communication() {

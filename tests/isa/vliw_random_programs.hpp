@@ -29,7 +29,7 @@ struct RandomProgram {
 
 struct RandomProgramOptions {
     int procedures = 3;  // chained by the procedure pointer, a `line` between two
-    int length = 12;     // statements of each, about
+    int length = 12;     // statements of each, about; some are several bundles
     int crowd = 40;      // percent of bundles with more than one operation
 };
 
