@@ -116,7 +116,7 @@ void LockstepArray::set_program_counter(std::uint16_t address) {
     engine_->change([address](auto& state) { state.program_counter = address; });
 }
 std::uint16_t LockstepArray::program_counter() const {
-    return static_cast<std::uint16_t>(engine_->state().program_counter);
+    return engine_->state().program_counter;
 }
 std::uint16_t LockstepArray::procedure() const {
     return engine_->state().procedure;

@@ -85,7 +85,7 @@ void Sequencer::run_plain(std::uint32_t end_bundle, std::int64_t end) {
     }
     add(translation_->first_operation(first), translation_->first_operation(end_bundle));
     count(first, end_bundle);
-    state_.program_counter = end_bundle;
+    state_.program_counter = static_cast<std::uint16_t>(end_bundle);
 }
 
 void Sequencer::count(std::uint32_t first_bundle, std::uint32_t end_bundle) {
@@ -248,7 +248,7 @@ void Sequencer::push_return() {
 
 std::optional<Sequencer::Stop> Sequencer::go_on(const Bundle::Sequencer& seq,
                                                 std::uint32_t answer) {
-    std::uint32_t next = state_.program_counter + 1;
+    auto next = static_cast<std::uint16_t>(state_.program_counter + 1);
     std::optional<Stop> stop;
     switch (seq.op) {
         case SeqOp::none:

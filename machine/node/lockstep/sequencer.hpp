@@ -22,7 +22,7 @@
 namespace rasterloom::lockstep {
 
 struct SequencerState {
-    std::uint32_t program_counter = 0;
+    std::uint16_t program_counter = 0;
     std::uint16_t procedure = 0;
     std::array<std::uint16_t, isa::vliw::kCounters> counters{};
     std::array<std::uint16_t, isa::vliw::kCallDepth> returns{};
