@@ -38,6 +38,9 @@ constexpr const char* kFooter =
     "      (Parks' machine of 16 processors, as the thesis assumes it)\n"
     "  rasterloom sweep configs/sweeps/fifos.yaml\n"
     "      (many runs: results.sqlite and results.csv; docs/sweep.md)\n"
+    "  rasterloom boxes --object teapot --out teapot.boxes\n"
+    "  rasterloom communicate teapot.boxes --strides 16,1\n"
+    "      (what a ring of 1024 processors spends on sorting polygons; docs/ring-model.md)\n"
     "\n"
     "Exit status: 0 success; 1 a defect of the emulator; 2 wrong usage, configuration or input;\n"
     "3 the emulated machine failed (guest error, deadlock, time limit).\n"
@@ -59,6 +62,8 @@ void set_up(CLI::App& app, Session& session) {
     add_sweep_command(app, session);
     add_assemble_command(app, session);
     add_what_if_command(app, session);
+    add_boxes_command(app, session);
+    add_communicate_command(app, session);
     add_list_command(app, session);
 }
 

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// rasterloom boxes: the bounding boxes of a scene, for `rasterloom communicate` and the ring.
+#include "machine/cli/command.hpp"
+#include "machine/config/error.hpp"
+#include "machine/host/box_scenes.hpp"
+#include "machine/host/mesh_file.hpp"
+#include "machine/host/polygon_projection.hpp"
+#include "machine/host/polygon_stage.hpp"
+#include "machine/host/scenes.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace rasterloom::cli {
+
+namespace {
+
+struct BoxesOptions {
+    std::string mesh;
+    std::string up = "y";
+    std::string front = "z";
+    std::string object;
+    double turn = 0;
+    double tilt = 0;
+    host::Camera camera{.field_of_view = 40};
+    host::RandomBoxes random{.count = 0};
+    std::string out;
+};
+
+host::Mesh make_mesh(const BoxesOptions& options) {
+    if (options.mesh.empty()) {
+        return host::make_scene_object(options.object);
+    }
+    host::Mesh mesh = host::load_mesh(options.mesh, host::Polygons::as_in_file);
+    host::orient(mesh, {host::parse_axis(options.up), host::parse_axis(options.front)});
+    return mesh;
+}
+
+std::vector<host::BoundingBox> make_boxes(const BoxesOptions& options) {
+    if (options.random.count != 0) {
+        return host::random_boxes(options.random);
+    }
+    host::Mesh mesh = make_mesh(options);
+    host::turn(mesh, options.turn);
+    host::tilt(mesh, options.tilt);
+    host::fit_to_sphere(mesh);
+    const auto lens = host::make_lens(options.camera, options.random.width, options.random.height);
+    return host::boxes_through_lens(host::stage_polygons(std::move(mesh)), lens);
+}
+
+void print_summary(const std::string& file, const std::vector<host::BoundingBox>& boxes) {
+    std::size_t visible = 0;
+    std::int64_t pixels = 0;
+    std::int64_t columns = 0;
+    for (const auto& [is_visible, box] : boxes) {
+        if (is_visible) {
+            ++visible;
+            pixels += box.pixels();
+            columns += box.x1 - box.x0 + 1;
+        }
+    }
+    const auto mean = [visible](std::int64_t sum) {
+        return static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(1, visible));
+    };
+    fmt::print("{}: {} polygons, {} visible, boxes of {:.1f} pixels in {:.2f} columns\n", file,
+               boxes.size(), visible, mean(pixels), mean(columns));
+}
+
+void write_boxes(const BoxesOptions& options) {
+    try {
+        const auto boxes = make_boxes(options);
+        host::save_bounding_boxes(options.out, boxes);
+        print_summary(options.out, boxes);
+    } catch (const std::runtime_error& problem) {  // files
+        config::refuse({}, {}, {}, problem.what());
+    } catch (const std::invalid_argument& problem) {
+        config::refuse({}, {}, {}, problem.what());
+    }
+}
+
+void add_scene_options(CLI::App& command, BoxesOptions& options) {
+    CLI::App* const scene = command.add_option_group("Scene", "one of them");
+    scene->add_option("--mesh", options.mesh, "A file of polygons")->type_name("FILE");
+    scene->add_option("--object", options.object, "A built-in object (rasterloom list scenes)")
+        ->type_name("NAME");
+    scene
+        ->add_option("--random", options.random.count,
+                     "So many polygons evenly over the screen, half of them visible")
+        ->check(CLI::Range(std::int64_t{1}, host::kMostBoxes))
+        ->type_name("N");
+    scene->require_option(1);
+}
+
+}  // namespace
+
+void add_boxes_command(CLI::App& app, Session&) {
+    auto options = std::make_shared<BoxesOptions>();
+    CLI::App* command = app.add_subcommand(
+        "boxes", "Write the bounding boxes of a scene's polygons: what `communicate` reads");
+    add_scene_options(*command, *options);
+    command->add_option("--out", options->out, "The file, such as teapot.boxes")
+        ->required()
+        ->type_name("FILE");
+    const auto add = [command](const char* name, auto& value, const char* summary) {
+        return command->add_option(name, value, summary)->capture_default_str();
+    };
+    add("--up", options->up, "The axis of a mesh that points up");
+    add("--front", options->front, "The axis of a mesh that points at the viewer");
+    add("--turn", options->turn, "Turn the object about its upright axis, degrees");
+    add("--tilt", options->tilt, "Lean it towards the viewer, degrees");
+    add("--field-of-view", options->camera.field_of_view,
+        "Degrees between the screen's sides; the viewer is 4 radii from the object's middle");
+    add("--seed", options->random.seed, "Of random polygons");
+    add("--longest-side", options->random.longest_side, "Of random polygons' boxes, pixels");
+    add("--width", options->random.width, "Of the screen, pixels");
+    add("--height", options->random.height, "Of the screen, pixels");
+    command->callback([options] { write_boxes(*options); });
+}
+
+}  // namespace rasterloom::cli
