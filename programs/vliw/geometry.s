@@ -1,0 +1,80 @@
+; SPDX-License-Identifier: MIT
+; Geometry (Eldridge 1995, 7.3): from a lane's database to its array of descriptors to be sent, in two stages (3.2.2, figure 3-13):
+;   `transform` goes over all polygons and keeps the visible ones (geometry_transform.s); each gets its place in the array, and there
+;               what has been found out about it: see `candidate`;
+;   `light`     goes over these and makes them descriptors (geometry_light.s, geometry_planes.s).
+; `geometry` is the entry; main has the label `communicate`, where it goes on. textured = 0 leaves u and v out.
+; A lane whose array is full when one more polygon is visible sets `error` to 1, and the machine halts.
+
+        .include "memory.s"
+        .include "arithmetic.s"
+        .if ndf textured
+textured = 1
+        .endc
+
+; geometry_scratch
+eye_rows    = geometry_scratch  ; a row of the matrix: 3 words s1.14, then its integer, times 2^14 and half a unit, 32 bits
+kEyeRow     = 5
+next_polygon = geometry_scratch+15      ; transform's next one
+polygons_stop = geometry_scratch+16     ; first word behind the database
+next_slot   = geometry_scratch+17       ; where the next visible polygon goes, then: which one to light
+slots_stop  = geometry_scratch+18       ; first word behind the visible ones
+last_slot   = geometry_scratch+19       ; the last place where a descriptor has room
+words_x     = geometry_scratch+20       ; two products of four words each
+words_y     = geometry_scratch+24
+spare_slot  = geometry_scratch+28       ; takes the place of slots behind the array
+
+; A candidate: a visible polygon between the stages, in its descriptor's place
+d_polygon   = 4                 ; its address in the database
+d_area      = 6                 ; twice its area, in 1/256 pixel, 32 bits
+d_screen    = 8                 ; sx, sy of each vertex
+d_eye       = 14                ; x', y', z' of each vertex
+d_reciprocals = 23              ; 2^28 / z' of each vertex
+d_lit       = 26                ; intensity of each vertex, 8.8
+kCandidate  = 29
+        .iif gt spare_slot+kCandidate-other_scratch, .error the geometry's scratch is too small
+
+; Prepares transform. The matrix is copied: a new one may come while this stage is at work.
+geometry:
+        wake
+        setp    transform
+        ld      r1, most
+        put     r1
+        ldc     c0
+        .irp row, <0, 1, 2>
+        .irp k, <0, 1, 2>
+        ld      r2, <row*3>+k+matrix
+        st      r2, <row*kEyeRow>+k+eye_rows
+        .endr
+        ld      r3, row+9+matrix
+        shl     r4, r3, #14
+        asr     r5, r3, #2
+        add     r4, r4, #0x2000
+        st      r4, <row*kEyeRow>+3+eye_rows
+        st      r5, <row*kEyeRow>+4+eye_rows
+        .endr
+        ld      r6, polygons
+        ld      r7, polygons_at
+        mul     r6, r6, #kPolygon
+        add     r6, r6, r7
+        st      r7, next_polygon
+        st      r6, polygons_stop
+        ld      r8, source_at
+        ld      r9, source_end
+        sub     r9, r9, #kDescriptor
+        st      r8, slots_stop
+        st      r9, last_slot
+        st      r0, source_count
+        tltu    r9, r8
+        slf
+        mov     r8, #spare_slot
+        wake
+        st      r8, next_slot
+        tne     r1, r0
+        bt      1$
+        setp    communicate
+1$:     line
+
+        .include "geometry_transform.s"
+        .include "geometry_light.s"
+        .include "geometry_planes.s"

@@ -1,0 +1,144 @@
+; SPDX-License-Identifier: MIT
+; Geometry, first stage, for every polygon of the database: to eye space, rejection, perspective, box, back face. Visible ones become
+; candidates (geometry.s) in the array to be sent.
+;
+; Registers of the whole procedure: r27 -f, r28 the polygon, r29 its candidate, r30 near, r31 f. c0: polygons to come on the lane that
+; has most; c1: those of this scanline.
+kTransformsALine = 4            ; polygons
+
+; l := coordinate `row` (0 x', 1 y', 2 z') of the vertex x, y, z, rounded; h := its 32-bit value's upper word, in units of 4.
+        .macro  eye_coordinate row, l, h, x, y, z, m, t, u
+        ld      m, <row*kEyeRow>+eye_rows
+        product l, h, m, x
+        ld      m, <row*kEyeRow>+1+eye_rows
+        add_product l, h, m, y, t, u
+        ld      m, <row*kEyeRow>+2+eye_rows
+        add_product l, h, m, z, t, u
+        ld      t, <row*kEyeRow>+3+eye_rows
+        ld      u, <row*kEyeRow>+4+eye_rows
+        add32   l, h, l, h, t, u
+        mulu    l, l, #4, 16
+        mul     t, h, #4, 0
+        add     l, l, t
+        .endm
+
+; T := T and |coordinate| < z', by its upper word h and quarter, which is a little less than z' / 4: then the quotient fits s.15.
+        .macro  within h, quarter, t, u
+        add     t, h, quarter
+        mul     u, quarter, #2
+        tltu.and t, u
+        .endm
+
+; s := middle + f l / z' in 1/16 pixel; r: 2^28 / z'. `centre` lets the errors of two products, rounded down, lie about 0.
+        .macro  project s, l, r, f, middle, centre
+        mulsu   l, l, r, 13
+        add     l, l, #centre
+        mul     l, l, f, 15
+        add     s, l, #middle
+        .endm
+
+        .macro  load_vertex v, x, y, z
+        ld      x, <7*v>(r28)
+        ld      y, <7*v>+1(r28)
+        ld      z, <7*v>+2(r28)
+        .endm
+
+; Vertex v in x, y, z: its screen coordinates, its part of the candidate; T := T and it is near enough and not too far from the middle.
+; `next` is done before the last store, so that the next vertex's work may begin.
+        .macro  transform_vertex v, sx, sy, x, y, z, m, l, h, t, u, quarter, r, next
+        eye_coordinate 2, l, h, x, y, z, m, t, u
+        tltu.and h, #0x2000
+        tge.and l, r30
+        ld      r, reciprocals(l)
+        mulu    quarter, l, #0x3ff8, 16
+        st      l, <3*v>+2+d_eye(r29)
+        st      r, v+d_reciprocals(r29)
+        eye_coordinate 0, l, h, x, y, z, m, t, u
+        within  h, quarter, t, u
+        st      l, <3*v>+d_eye(r29)
+        project sx, l, r, r31, 16*384, 2
+        eye_coordinate 1, l, h, x, y, z, m, t, u
+        within  h, quarter, t, u
+        next
+        st      l, <3*v>+1+d_eye(r29)
+        project sy, l, r, r27, 16*256, -1
+        .endm
+
+; The whole pixels from the least to the greatest of a, b, c; T := T and there are some, and some of 0 ... size - 1 may be among them.
+        .macro  box low, high, first, a, b, c, size, t, u
+        span16  low, high, first, a, b, c, t, u
+        add     low, low, #15
+        mul     low, low, #1, 4
+        mul     high, high, #1, 4
+        tlt.and low, #size
+        tge.and high, r0
+        tge.and high, low
+        .endm
+
+transform:
+        wake
+        setc    c1, kTransformsALine
+        ld      r31, focal
+        sub     r27, r0, r31
+        ld      r30, near
+        ld      r28, next_polygon
+        ld      r29, next_slot
+1$:     wake
+        ld      r1, polygons_stop
+        tltu    r28, r1
+        slf
+        load_vertex 0, r1, r2, r3
+        transform_vertex 0, r21, r22, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, <load_vertex 1, r11, r12, r13>
+        transform_vertex 1, r23, r24, r11, r12, r13, r14, r15, r16, r17, r18, r19, r20, <load_vertex 2, r1, r2, r3>
+        transform_vertex 2, r25, r26, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10
+        ld      r19, source_count
+        ld      r20, last_slot
+        box     r11, r12, r13, r21, r23, r25, 768, r14, r15
+        st      r11, d_left(r29)
+        st      r12, d_right(r29)
+        box     r1, r2, r3, r22, r24, r26, 512, r4, r5
+        st      r1, d_top(r29)
+        st      r2, d_bottom(r29)
+        sub     r6, r21, r25            ; twice the area: (sy0 - sy1) (sx0 - sx2) - (sx0 - sx1) (sy0 - sy2)
+        sub     r7, r22, r26
+        product r8, r9, r3, r6
+        sub_product r8, r9, r13, r7, r16, r17
+        less32  r0, r0, r8, r9, r10, .and
+        st      r8, d_area(r29)
+        st      r9, d_area+1(r29)
+        st      r21, d_screen+0(r29)
+        st      r22, d_screen+1(r29)
+        st      r23, d_screen+2(r29)
+        st      r24, d_screen+3(r29)
+        st      r25, d_screen+4(r29)
+        st      r26, d_screen+5(r29)
+        st      r28, d_polygon(r29)
+        add     r28, r28, #kPolygon
+
+        slf                             ; the visible ones
+        teq     r29, #spare_slot
+        bor     array_full
+        add     r29, r29, #kDescriptor
+        add     r19, r19, #1
+        st      r29, slots_stop
+        st      r19, source_count
+        tltu    r20, r29
+        slf
+        mov     r29, #spare_slot
+        dec     c0, 2$
+        wake
+        ld      r1, source_at
+        st      r1, next_slot
+        setp    light
+        line
+2$:     dec     c1, 1$
+        wake
+        st      r28, next_polygon
+        st      r29, next_slot
+        line
+
+array_full:
+        slf
+        mov     r1, #1
+        st      r1, error
+        halt
