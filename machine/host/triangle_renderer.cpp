@@ -196,7 +196,7 @@ class Painter {
         const double intensity = mix(&Corner::intensity);
         for (int channel = 0; channel < 3; ++channel)
             result_.picture.at(x, y, channel) = static_cast<std::uint8_t>(
-                colour[static_cast<std::size_t>(channel)] * intensity / 256);
+                colour[static_cast<std::size_t>(channel)] * intensity / 255 + 0.5);
     }
 
     const TriangleScene& scene_;

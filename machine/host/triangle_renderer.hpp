@@ -9,8 +9,8 @@
 // clipped but the box. A pixel of the box is covered when it is on the inner side of all three
 // edges or on them. On a covered pixel depth 2^28/z', depth times u and v, and intensity are linear
 // functions of the screen. A pixel is drawn when its depth, in 1/256, is greater than what stands
-// there, so that of equal ones the first stays. Its levels are colour times intensity / 256,
-// rounded down; a texture, bilinear between its texels, takes the place of the colour.
+// there, so that of equal ones the first stays. Its levels are colour times intensity / 255,
+// to the nearest; a texture, bilinear between its texels, takes the place of the colour.
 #pragma once
 
 #include "machine/host/picture.hpp"

@@ -92,9 +92,10 @@ std::uint16_t to_texel(const std::array<std::uint8_t, 3>& colour) {
 }
 
 std::array<std::uint8_t, 3> colour_of(std::uint16_t texel) {
-    return {static_cast<std::uint8_t>(texel >> 8 & 0xf8),
-            static_cast<std::uint8_t>(texel >> 3 & 0xfc),
-            static_cast<std::uint8_t>(texel << 3 & 0xf8)};
+    const auto level = [](int part, int most) {
+        return static_cast<std::uint8_t>((255 * part + most / 2) / most);
+    };
+    return {level(texel >> 11, 31), level(texel >> 5 & 63, 63), level(texel & 31, 31)};
 }
 
 std::uint16_t Texture::at(int column, int row) const {

@@ -16,7 +16,7 @@ inline constexpr int kTextureSize = 128;  // texels each way
 
 // Red in bits 15 ... 11, green in 10 ... 5, blue in 4 ... 0.
 std::uint16_t to_texel(const std::array<std::uint8_t, 3>& colour);
-// Levels 0 ... 255 of a texel.
+// Levels 0 ... 255 of a texel, 255 for the greatest of each.
 std::array<std::uint8_t, 3> colour_of(std::uint16_t texel);
 
 struct Texture {

@@ -13,6 +13,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 namespace rasterloom::host {
 namespace {
@@ -53,7 +54,7 @@ TEST(Primitives, ShowTheCubesFaceToTheViewer) {
 }
 
 TEST(Teapot, HasTheSizeOfNewellsData) {
-    const Mesh teapot = make_teapot(16);
+    const Mesh teapot = make_teapot({.around = 16, .along = 16});
     glm::dvec3 low{9}, high{-9};
     for (const auto& position : teapot.positions) {
         low = glm::min(low, position);
@@ -73,8 +74,28 @@ TEST(Teapot, IsMadeOfBodyHandleAndSpout) {
 }
 
 TEST(Teapot, RefusesSubdivisionsOutOfRange) {
-    EXPECT_THROW(make_teapot(1), std::invalid_argument);
-    EXPECT_THROW(make_teapot(65), std::invalid_argument);
+    EXPECT_THROW(make_teapot({.around = 1, .along = 12}), std::invalid_argument);
+    EXPECT_THROW(make_teapot({.around = 12, .along = 1}), std::invalid_argument);
+    EXPECT_THROW(make_teapot({.around = 65, .along = 12}), std::invalid_argument);
+    EXPECT_THROW(make_teapot({.around = 12, .along = 65}), std::invalid_argument);
+}
+
+RC_GTEST_PROP(Teapot, HasAsManyTrianglesAsItsTessellationSays, ()) {
+    const TeapotTessellation tessellation{*rc::gen::inRange(2, 20), *rc::gen::inRange(2, 20)};
+    const Mesh mesh = make_teapot(tessellation);
+    RC_ASSERT(triangle_count(mesh) == tessellation.triangles());
+    RC_ASSERT(mesh.dropped_faces == 0U);
+}
+
+TEST(Teapot, HasExactlyTheNumberOfTrianglesOfEldridgesTeapot) {
+    EXPECT_EQ(triangle_count(make_teapot(teapot_tessellation(9408))), 9408U);
+}
+
+RC_GTEST_PROP(Teapot, ComesNearToAnyNumberOfTriangles, ()) {
+    const auto wanted = *rc::gen::inRange<std::size_t>(1000, 200000);
+    const double share =
+        static_cast<double>(teapot_tessellation(wanted).triangles()) / static_cast<double>(wanted);
+    RC_ASSERT(share > 0.95 && share < 1.05);
 }
 
 TEST(SceneObjects, AreListedWhenOneIsUnknown) {
