@@ -2,6 +2,7 @@
 """What the model of Eldridge's ring counts (`rasterloom boxes`, `rasterloom communicate`; docs/ring-model.md), as numbers: eldridge.py draws
 them, papers/eldridge1995.py compares them."""
 
+import atexit
 import json
 import tempfile
 from functools import lru_cache
@@ -29,12 +30,14 @@ def mesh_scene(file):
 
 @lru_cache(maxsize=None)
 def folder():
-    return tempfile.TemporaryDirectory()
+    made = tempfile.TemporaryDirectory()
+    atexit.register(made.cleanup)
+    return Path(made.name)
 
 
 @lru_cache(maxsize=None)
 def boxes_of(emulator, scene):
-    path = Path(folder().name) / f"{boxes_of.cache_info().currsize}.boxes"
+    path = folder() / f"{boxes_of.cache_info().currsize}.boxes"
     emulator.text("boxes", *scene, "--out", str(path))
     return path
 
@@ -125,16 +128,21 @@ def sorting_instructions(found):
     return found["instructions"]["communicating"] + found["instructions"]["compositing"]
 
 
-def overtaken_at(emulator, cost):
-    """Random polygons from which sort-twice takes less of `cost`: between two counts a straight line."""
-    points = [(count, cost(sort_middle(emulator, random_scene(count))) - cost(sort_twice_at_best(emulator, random_scene(count))))
-              for count in COUNTS]
+def zero_between(values):
+    """Where `values`, numbers by ascending keys, first rise above zero: a straight line between two of them; None if they do not."""
+    points = list(values.items())
     for (below, less), (above, more) in zip(points, points[1:]):
         if less < 0 <= more:
             return below + (above - below) * -less / (more - less)
     return None
 
 
-def composite_of(emulator, group):
-    """Instructions to composite a screen; they depend on the group only."""
-    return counts(emulator, random_scene(1000), "--group", group)["instructions"]["compositing"]
+def overtaken_at(emulator, cost):
+    """Random polygons, half of them visible, from which sort-twice takes less of `cost`."""
+    return zero_between({count: cost(sort_middle(emulator, random_scene(count))) - cost(sort_twice_at_best(emulator, random_scene(count)))
+                         for count in COUNTS})
+
+
+def composite_of(emulator, group, n=N):
+    """Instructions to composite a screen, whatever the scene."""
+    return counts(emulator, random_scene(1000), "--group", group, "--processors", n)["instructions"]["compositing"]
