@@ -12,6 +12,7 @@ receive_at  = 0x06      ; the same of descriptors received
 receive_end = 0x07
 most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
 error       = 0x09      ; 0, or why the program halted: 1 source array full, 2 receive array full (G, C)
+lanes       = 0x0a      ; lanes on the ring (the same on all)
 ;
 ; The view (H). x' = (m0 x + m1 y + m2 z) / 2^14 + m9, and so on: eye space, x right, y up, z away; visible from near on.
 ; Screen, in 1/16 pixel: sx = 16 * 384 + f x'/z', sy = 16 * 256 - f y'/z'; samples lie on whole pixels, row 0 is the upper one.

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "machine/emulation/princeton_loader.hpp"
+
+#include "machine/emulation/node_memory.hpp"
+#include "machine/host/triangle_tables.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace rasterloom {
+
+namespace {
+
+constexpr std::int64_t kRoomEnd = 0x8000;  // of databases and queues
+constexpr std::uint16_t kNoColumn = 0x7fff;
+constexpr std::int64_t kMostLanes = 65536;
+constexpr int kTextureRow = 256;  // words from a row of texels to the next
+
+std::int64_t rounded_up(std::int64_t a, std::int64_t b) {
+    return (a + b - 1) / b;
+}
+
+class Loader {
+  public:
+    Loader(LockstepArray& array, const isa::Image& image)
+        : array_(array),
+          image_(image),
+          copies_(image.symbol("duplication").value_or(1)),
+          has_two_rounds_(image.symbol("stride").value_or(1) > 1),
+          room_(static_cast<std::int64_t>(at("scratch_end"))),
+          descriptor_(static_cast<std::int64_t>(at("kDescriptor"))) {
+        if (array.lanes() % copies_ != 0)
+            throw std::invalid_argument(fmt::format(
+                "{} lanes for {} copies of the polygons, expected a multiple of the copies",
+                array.lanes(), copies_));
+    }
+
+    void lay_out() {
+        const std::uint32_t frames = at("frame_buffers");
+        const std::uint32_t roots = at("roots");
+        array_.set_layout(0, frames, LaneLayout::across);
+        array_.set_layout(frames, roots - frames, LaneLayout::along);
+        array_.set_layout(roots, static_cast<std::uint32_t>(room_) - roots, LaneLayout::shared);
+        array_.set_layout(static_cast<std::uint32_t>(room_),
+                          static_cast<std::uint32_t>(kRoomEnd - room_), LaneLayout::along);
+        array_.set_layout(at("reciprocals"), kRoomEnd, LaneLayout::shared);
+    }
+
+    void load_tables() {
+        array_.write_all(at("roots"), host::root_table());
+        array_.write_all(at("reciprocals"), host::reciprocal_table());
+    }
+
+    void load_columns(const ColumnMap& columns) {
+        for (std::int64_t lane = 0; lane < array_.lanes(); ++lane) {
+            set(lane, "lane", lane);
+            set(lane, "column", columns[static_cast<std::size_t>(lane)].value_or(kNoColumn));
+        }
+        set("lanes", array_.lanes());
+    }
+
+    void load_polygons(std::span<const host::SceneTriangle> polygons) {
+        const std::int64_t groups = array_.lanes() / copies_;
+        const auto count = static_cast<std::int64_t>(polygons.size());
+        const std::int64_t most = rounded_up(count, groups);
+        check_fit(count, most);
+        for (std::int64_t lane = 0; lane < array_.lanes(); ++lane) {
+            std::uint32_t address = static_cast<std::uint32_t>(room_);
+            std::int64_t own = 0;
+            for (std::int64_t b = lane % groups; b < count; b += groups, ++own) {
+                array_.write(lane, address, host::to_words(polygons[static_cast<std::size_t>(b)]));
+                address += host::kTriangleWords;
+            }
+            set(lane, "polygons", own);
+        }
+        set("most", most);
+        set("polygons_at", room_);
+        divide_rest(most);
+    }
+
+    void load_view(const host::TriangleView& view) {
+        load_matrix(view.matrix);
+        set("focal", view.focal);
+        set("near", view.near);
+    }
+
+    void load_matrix(const std::array<std::int16_t, 12>& matrix) {
+        std::array<std::uint16_t, 12> words{};
+        std::copy(matrix.begin(), matrix.end(), words.begin());
+        array_.write_all(at("matrix"), words);
+    }
+
+    void load_lights(const host::TriangleLights& lights) {
+        set("ambient", lights.ambient);
+        set("sun_diffuse", lights.sun_diffuse);
+        set("sun_specular", lights.sun_specular);
+        set("lamp_diffuse", lights.lamp_diffuse);
+        set("lamp_specular", lights.lamp_specular);
+        set("shininess", lights.shininess);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            set("sun", lights.sun[k], k);
+            set("lamp", lights.lamp[k], k);
+        }
+    }
+
+    // It repeats: behind its last column and row the first ones follow once more.
+    void load_texture(const host::Texture& texture) {
+        std::vector<std::uint16_t> words(kTextureRow * host::kTextureSize + host::kTextureSize + 1);
+        for (int row = 0; row <= host::kTextureSize; ++row)
+            for (int column = 0; column <= host::kTextureSize; ++column)
+                words[static_cast<std::size_t>(kTextureRow * row + column)] =
+                    texture.at(column % host::kTextureSize, row % host::kTextureSize);
+        array_.set_layout(slow_word(0, 0), static_cast<std::uint32_t>(words.size()),
+                          LaneLayout::shared);
+        array_.write_all(slow_word(0, 0), words);
+    }
+
+  private:
+    std::uint32_t at(std::string_view symbol) const { return require_symbol(image_, symbol); }
+
+    static std::uint16_t word(std::string_view symbol, std::int64_t value) {
+        if (value < -0x8000 || value > 0xffff)
+            throw std::invalid_argument(
+                fmt::format("{} is {}, expected a value of 16 bits", symbol, value));
+        return static_cast<std::uint16_t>(value & 0xffff);
+    }
+
+    void set(std::string_view symbol, std::int64_t value, std::uint32_t offset = 0) {
+        array_.write_all(at(symbol) + offset, std::array{word(symbol, value)});
+    }
+
+    void set(std::int64_t lane, std::string_view symbol, std::int64_t value) {
+        array_.write(lane, at(symbol), std::array{word(symbol, value)});
+    }
+
+    void check_fit(std::int64_t count, std::int64_t most) const {
+        const std::int64_t fitting = (kRoomEnd - room_ - 2 * descriptor_) / host::kTriangleWords;
+        if (most <= fitting)
+            return;
+        const std::int64_t lanes = copies_ * rounded_up(count, fitting);
+        const std::string where = copies_ == 1 ? "" : fmt::format(", {} copies of each", copies_);
+        throw std::invalid_argument(fmt::format(
+            "{} polygons on {} lanes{}: {} on a lane, expected {} at most, which is {} in all; {}",
+            count, array_.lanes(), where, most, fitting, fitting * (array_.lanes() / copies_),
+            lanes <= kMostLanes ? fmt::format("{} lanes would do", lanes)
+                                : fmt::format("not even {} lanes would do", kMostLanes)));
+    }
+
+    void divide_rest(std::int64_t most) {
+        const std::int64_t begin = room_ + most * host::kTriangleWords;
+        const std::int64_t half = (kRoomEnd - begin) / 2 / descriptor_;  // descriptors
+        const std::int64_t sent = has_two_rounds_ ? half : std::min(half, most);
+        const std::int64_t middle = begin + sent * descriptor_;
+        set("source_at", begin);
+        set("source_end", middle);
+        set("receive_at", middle);
+        set("receive_end", middle + (kRoomEnd - middle) / descriptor_ * descriptor_);
+    }
+
+    LockstepArray& array_;
+    const isa::Image& image_;
+    std::int64_t copies_;
+    bool has_two_rounds_;
+    std::int64_t room_;        // its first word
+    std::int64_t descriptor_;  // words
+};
+
+void check_columns(const ColumnMap& columns, std::int64_t lanes) {
+    if (static_cast<std::int64_t>(columns.size()) != lanes)
+        throw std::invalid_argument(
+            fmt::format("a screen map of {} lanes, expected {}", columns.size(), lanes));
+    const auto width = static_cast<std::size_t>(std::min<std::int64_t>(lanes, kPrincetonColumns));
+    std::vector<int> owners(width, 0);
+    for (std::size_t lane = 0; lane < columns.size(); ++lane)
+        if (const auto column = columns[lane]) {
+            if (*column >= width)
+                throw std::invalid_argument(
+                    fmt::format("the screen map gives column {} to lane {}, expected 0 to {}",
+                                *column, lane, width - 1));
+            ++owners[*column];
+        }
+    for (std::size_t column = 0; column < width; ++column)
+        if (owners[column] != 1)
+            throw std::invalid_argument(
+                fmt::format("the screen map gives column {} to {} lanes, expected one", column,
+                            owners[column]));
+}
+
+}  // namespace
+
+ColumnMap columns_as_lanes(std::int64_t lanes) {
+    ColumnMap columns(static_cast<std::size_t>(lanes));
+    const auto width = static_cast<std::size_t>(std::min<std::int64_t>(lanes, kPrincetonColumns));
+    for (std::size_t lane = 0; lane < width; ++lane)
+        columns[lane] = static_cast<std::uint16_t>(lane);
+    return columns;
+}
+
+void load_princeton(LockstepArray& array, const isa::Image& image, const host::TriangleScene& scene,
+                    const host::TriangleView& view, const host::TriangleLights& lights,
+                    const ColumnMap& columns) {
+    check_columns(columns, array.lanes());
+    if (scene.textures.size() > 1)
+        throw std::invalid_argument(
+            fmt::format("{} textures, expected one at most", scene.textures.size()));
+    if (view.width != kPrincetonColumns || view.height != kPrincetonRows)
+        throw std::invalid_argument(fmt::format("a view of {} x {} pixels, expected {} x {}",
+                                                view.width, view.height, kPrincetonColumns,
+                                                kPrincetonRows));
+    Loader loader(array, image);
+    loader.lay_out();
+    loader.load_tables();
+    loader.load_columns(columns);
+    loader.load_polygons(scene.triangles);
+    loader.load_view(view);
+    loader.load_lights(lights);
+    if (!scene.textures.empty())
+        loader.load_texture(scene.textures.front());
+}
+
+void load_matrix(LockstepArray& array, const isa::Image& image,
+                 const std::array<std::int16_t, 12>& matrix) {
+    Loader(array, image).load_matrix(matrix);
+}
+
+}  // namespace rasterloom

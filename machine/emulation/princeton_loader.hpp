@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Fills the lanes of a Princeton Engine for the renderers of programs/vliw: polygons, tables, view,
+// lights and texture, at the places that the program's symbols name (programs/vliw/memory.s).
+#pragma once
+
+#include "isa/image.hpp"
+#include "machine/host/triangle_scene.hpp"
+#include "machine/host/triangle_view.hpp"
+#include "machine/node/lockstep/lockstep_array.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace rasterloom {
+
+inline constexpr int kPrincetonColumns = 768;  // of the screen; its rows are 512
+inline constexpr int kPrincetonRows = 512;
+
+// [lane]: the column of the screen that it draws, if any.
+using ColumnMap = std::vector<std::optional<std::uint16_t>>;
+
+// Lane i draws column i.
+ColumnMap columns_as_lanes(std::int64_t lanes);
+
+// Before the first frame; the array holds nothing but zeros. Polygon b goes to lane b mod n; where
+// the program's `duplication` is m, to all lanes that are b modulo n/m. What the database leaves of
+// a lane's memory is room for descriptors: as many to be sent as the lane has polygons (half of the
+// room at most; with `stride` above 1 exactly half, since then they are received there, too), the
+// rest to be received.
+//
+// Throws std::invalid_argument, naming the cause and what was expected: a symbol that the image
+// lacks, more polygons than fit (with the lanes that would do), lanes that are no multiple of the
+// copies, more than one texture, a map that leaves out one of the screen's columns or has one twice
+// (on fewer than 768 lanes the screen has as many columns as lanes), values that are no words.
+void load_princeton(LockstepArray& array, const isa::Image& image, const host::TriangleScene& scene,
+                    const host::TriangleView& view, const host::TriangleLights& lights,
+                    const ColumnMap& columns);
+
+// Where the object stands in the next frame: for machines that are not line-locked, which do not
+// get it a scanline at a time.
+void load_matrix(LockstepArray& array, const isa::Image& image,
+                 const std::array<std::int16_t, 12>& matrix);
+
+}  // namespace rasterloom
