@@ -36,7 +36,12 @@ shininess   = 0x2b      ; the specular cosine is squared so many times: 0 ... 6
 source_count  = 0x30    ; descriptors to be sent
 receive_count = 0x31    ; descriptors received
 drawing     = 0x32      ; word address of the frame buffer being drawn
-shown       = 0x33      ; of the one being shown
+shown       = 0x33      ; of the one being shown; after `frame`: of the picture just finished
+received_at = 0x34      ; where the received descriptors lie: receive_at, or source_at after distribution by strides
+received_end = 0x35     ; first word behind them
+far_passes  = 0x36      ; passes of `stride` places in this frame, if stride is more than 1: lower word, upper word (the same on all lanes)
+near_passes = 0x38      ; passes of 1 place
+scanline    = 0x3a      ; number of the next scanline, 0 ... 524 (line-locked)
 ;
 geometry_scratch = 0x40 ; 0x40 ... 0x9f
 other_scratch = 0xa0    ; 0xa0 ... 0xff: communication, rasterising
@@ -65,6 +70,23 @@ d_depth     = 20        ; A, B, C two words each
 d_intensity = 26        ; A, B one word each, C two words
 d_u         = 30        ; A, B, C two words each
 d_v         = 36
+;
+; The same normalised to a lane's column, in place (R): an interpolant has a step from row to row and a value at row d_top, 32 bits each.
+n_red       = 0         ; colours times 257
+n_green     = 1
+n_begin     = 2         ; word of the column's frame buffer where row d_top begins
+n_end       = 3         ; ... where the row below d_bottom begins
+n_blue      = 4
+n_texture   = 5         ; not 0: textured
+n_edges     = 8         ; three of: step, value
+n_depth     = 22        ; step, value
+n_intensity = 26        ; step, value; 64 times the intensity less 255
+n_u         = 32        ; step, value plus kUBias, as rounding may make it negative where u is 0
+n_v         = 38
+kUBias      = 128       ; whole units
+;
+; The texture (H): 128 x 128 texels in slow bank 0, the one of column i and row j at j 256 + i, for u = 2 i and v = 2 j; it repeats, so column 128
+; and row 128 are copies of column 0 and row 0. A texel: 5 bits red, 6 green, 5 blue. Polygons with any texture but 0 have this one.
 ;
 ; A pixel: 3 words. 0: depth, whole part (0: nothing drawn); 1: depth's fraction, upper byte; red; 2: green, blue.
 kPixel      = 3

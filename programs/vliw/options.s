@@ -1,0 +1,15 @@
+; The renderer's options: a program that includes it may have set them otherwise before. Powers of two where it says so.
+        .iif ndf line_locked, line_locked = 0   ; 1: a scanline is 910 cycles
+        .iif ndf dense, dense = 1               ; communication, see communicate.s
+        .iif ndf stride, stride = 1             ; ... a power of two; 1: no distribution
+        .iif ndf duplication, duplication = 1   ; copies of the database on the ring, a power of two: see duplicate.s
+        .iif ndf textured, textured = 0         ; 1: polygons may have a texture
+        .iif ndf early_abort, early_abort = 1   ; rasterising, see rasterise.s
+        .iif ndf decoupled, decoupled = 1
+        .if ndf samples                         ; rows between two looks for the next polygon
+        .if ne textured
+samples = 4
+        .else
+samples = 8
+        .endc
+        .endc

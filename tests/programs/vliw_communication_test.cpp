@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// communicate.s against Eldridge's three checks (A.3): every descriptor comes to every lane that
+// wants it, to no other, and to none twice.
+#include "programs/vliw_renderer.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace rasterloom::test {
+namespace {
+
+constexpr std::uint32_t kSourceAt = 0x1000;
+constexpr std::uint32_t kSourceEnd = 0x3000;
+constexpr std::uint32_t kReceiveAt = 0x3000;
+constexpr std::uint32_t kReceiveEnd = 0x5000;
+
+constexpr std::array<std::string_view, 1> kFiles = {"communicate.s"};
+constexpr std::string_view kStubs = "normalise:\n halt\n";
+
+// Where it is to go, and a name by which to know it again.
+struct Box {
+    int left = 0;
+    int right = 0;
+    int top = 0;
+    int bottom = 0;
+};
+using Boxes = std::vector<std::vector<Box>>;  // by lane
+
+Descriptor descriptor(const Box& box, std::int64_t lane, std::size_t index) {
+    Descriptor words{};
+    for (std::size_t i = 5; i < words.size(); ++i) {
+        words[i] = static_cast<std::uint16_t>(static_cast<std::size_t>(lane) * 1000 + index + 7 * i);
+    }
+    words[0] = static_cast<std::uint16_t>(box.left);
+    words[1] = static_cast<std::uint16_t>(box.right);
+    words[2] = static_cast<std::uint16_t>(box.top);
+    words[3] = static_cast<std::uint16_t>(box.bottom);
+    return words;
+}
+
+VliwRenderer renderer_with(const Boxes& boxes, const Defines& options) {
+    const auto lanes = static_cast<std::int64_t>(boxes.size());
+    VliwRenderer renderer(kFiles, kStubs, "communicate", options, lanes);
+    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        renderer.write(lane, "source_at", kSourceAt);
+        renderer.write(lane, "source_end", kSourceEnd);
+        renderer.write(lane, "receive_at", kReceiveAt);
+        renderer.write(lane, "receive_end", kReceiveEnd);
+        const auto& own = boxes[static_cast<std::size_t>(lane)];
+        renderer.write(lane, "source_count", static_cast<int>(own.size()));
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            renderer.write(lane, kSourceAt + static_cast<std::uint32_t>(i * kDescriptorWords),
+                           descriptor(own[i], lane, i));
+        }
+    }
+    return renderer;
+}
+
+// All but the passes, which are the communication's own, sorted.
+std::vector<Descriptor> received(const VliwRenderer& renderer, std::int64_t lane) {
+    std::vector<Descriptor> all(renderer.read(lane, "receive_count"));
+    std::uint32_t at = renderer.read(lane, "received_at");
+    for (Descriptor& words : all) {
+        for (std::uint16_t& word : words) {
+            word = renderer.read(lane, at++);
+        }
+        words[4] = 0;
+    }
+    EXPECT_EQ(at, renderer.read(lane, "received_end"));
+    std::ranges::sort(all);
+    return all;
+}
+
+std::vector<Descriptor> wanted(const Boxes& boxes, int lane) {
+    std::vector<Descriptor> all;
+    const int last = static_cast<int>(boxes.size()) - 1;
+    for (std::size_t source = 0; source < boxes.size(); ++source) {
+        for (std::size_t i = 0; i < boxes[source].size(); ++i) {
+            Box box = boxes[source][i];
+            box.right = std::min(box.right, last);
+            if (box.left <= lane && lane <= box.right && box.top <= box.bottom) {
+                all.push_back(descriptor(box, static_cast<std::int64_t>(source), i));
+            }
+        }
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
+Boxes random_boxes(int lanes, int most, int widest, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    const auto below = [&random](int n) {
+        return static_cast<int>(random() % static_cast<unsigned>(n));
+    };
+    Boxes boxes(static_cast<std::size_t>(lanes));
+    for (auto& own : boxes) {
+        own.resize(static_cast<std::size_t>(below(most + 1)));
+        for (Box& box : own) {
+            box.left = below(lanes);
+            box.right = std::min(box.left + below(widest) - 1, lanes - 1);
+            box.top = below(20);
+            box.bottom = box.top + below(20) - 1;
+        }
+    }
+    return boxes;
+}
+
+void expect_all_where_wanted(const Boxes& boxes, const Defines& options) {
+    VliwRenderer renderer = renderer_with(boxes, options);
+    ASSERT_TRUE(renderer.run());
+    for (int lane = 0; lane < static_cast<int>(boxes.size()); ++lane) {
+        EXPECT_EQ(renderer.read(lane, "error"), 0);
+        EXPECT_EQ(received(renderer, lane), wanted(boxes, lane)) << "on lane " << lane;
+    }
+}
+
+struct Options {
+    int dense;
+    int stride;
+    int line_locked;
+};
+
+class VliwCommunication : public ::testing::TestWithParam<Options> {
+  protected:
+    Defines options() const {
+        return {{"dense", GetParam().dense},
+                {"stride", GetParam().stride},
+                {"line_locked", GetParam().line_locked}};
+    }
+};
+
+TEST_P(VliwCommunication, BringsEveryDescriptorOnceToAllWhoWantItAndToNoOther) {
+    for (const int lanes : {16, 48, 64}) {
+        for (std::uint32_t seed = 0; seed < 4; ++seed) {
+            SCOPED_TRACE(fmt::format("{} lanes, seed {}", lanes, seed));
+            expect_all_where_wanted(random_boxes(lanes, 5, seed % 2 == 0 ? 6 : lanes, seed),
+                                    options());
+        }
+    }
+}
+
+TEST_P(VliwCommunication, BringsWhatALaneSendsToItself) {
+    Boxes boxes(16);
+    for (int lane = 0; lane < 16; ++lane) {
+        boxes[static_cast<std::size_t>(lane)] = {{lane, lane, 0, 0}, {0, 15, 0, 0}};
+    }
+    expect_all_where_wanted(boxes, options());
+}
+
+TEST_P(VliwCommunication, LeavesOutWhatCoversNoSample) {
+    Boxes boxes(16);
+    boxes[3] = {{5, 4, 0, 0}, {5, 6, 2, 1}, {7, 7, 0, 0}};
+    expect_all_where_wanted(boxes, options());
+}
+
+TEST_P(VliwCommunication, EndsAtTheRingsEndWhereTheScreenIsWider) {
+    Boxes boxes(16);
+    boxes[2] = {{14, 20, 0, 0}, {16, 20, 0, 0}, {3, 3, 0, 0}};
+    expect_all_where_wanted(boxes, options());
+}
+
+TEST_P(VliwCommunication, EndsAtOnceWhereThereIsNothingToSend) {
+    VliwRenderer renderer = renderer_with(Boxes(16), options());
+    ASSERT_TRUE(renderer.run());
+    EXPECT_EQ(renderer.read(0, "near_passes"), 0);
+    EXPECT_EQ(renderer.read(0, "far_passes"), 0);
+    EXPECT_EQ(renderer.read(0, "receive_count"), 0);
+}
+
+std::vector<Options> all_options() {
+    std::vector<Options> all;
+    for (const int dense : {0, 1}) {
+        for (const int stride : {1, 2, 4, 8, 16}) {
+            for (const int line_locked : {0, 1}) {
+                all.push_back({dense, stride, line_locked});
+            }
+        }
+    }
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, VliwCommunication, ::testing::ValuesIn(all_options()),
+                         [](const auto& info) {
+                             return fmt::format("{}Stride{}{}",
+                                                info.param.dense != 0 ? "Dense" : "Sparse",
+                                                info.param.stride,
+                                                info.param.line_locked != 0 ? "LineLocked" : "");
+                         });
+
+// On a ring of 16: one descriptor from lane 1 to 8, 9 and 10 (Eldridge's figure A-6).
+Boxes figure_a6() {
+    Boxes boxes(16);
+    boxes[1] = {{8, 10, 0, 0}};
+    return boxes;
+}
+
+int passes(VliwRenderer& renderer, std::string_view counter) {
+    return renderer.read(0, counter) + (renderer.read(0, counter, 1) << 16);
+}
+
+TEST(VliwPasses, DenseEndAtTheLastDestination) {
+    VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 1}, {"stride", 1}});
+    renderer.run();
+    EXPECT_EQ(passes(renderer, "near_passes"), 9);
+}
+
+TEST(VliwPasses, SparseGoAllTheWayRound) {
+    VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 0}, {"stride", 1}});
+    renderer.run();
+    EXPECT_EQ(passes(renderer, "near_passes"), 16);
+}
+
+TEST(VliwPasses, DistributedGoByStridesThenByOnes) {
+    VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 1}, {"stride", 4}});
+    renderer.run();
+    EXPECT_EQ(passes(renderer, "far_passes"), 2) << "to lanes 5 and 9";
+    EXPECT_EQ(passes(renderer, "near_passes"), 4) << "from 5 to 8 and 9, from 9 to 10";
+}
+
+TEST(VliwPasses, AreCountedPast65535) {
+    Boxes boxes(1024);
+    boxes[5] = std::vector<Box>(65, {9, 9, 0, 0});
+    VliwRenderer renderer = renderer_with(boxes, {{"dense", 0}, {"stride", 1}});
+    renderer.run();
+    EXPECT_EQ(passes(renderer, "near_passes"), 65 * 1024);
+}
+
+TEST(VliwPasses, TakeNoMoreThanFiveToAScanlineOfALineLockedMachine) {
+    VliwRenderer renderer =
+        renderer_with(figure_a6(), {{"dense", 0}, {"stride", 1}, {"line_locked", 1}});
+    renderer.run();
+    EXPECT_LE(renderer.longest_scanline(), 910);
+}
+
+TEST(VliwCommunicationOverflow, HaltsWithErrorTwoOnTheLanesThatAreFull) {
+    Boxes boxes(16);
+    boxes[1] = {{8, 9, 0, 0}, {9, 9, 0, 0}, {9, 9, 0, 0}};
+    VliwRenderer renderer = renderer_with(boxes, {});
+    renderer.write(9, "receive_end", kReceiveAt + 3 * kDescriptorWords);
+    ASSERT_TRUE(renderer.run());
+    for (int lane = 0; lane < 16; ++lane) {
+        EXPECT_EQ(renderer.read(lane, "error"), lane == 9 ? 2 : 0);
+    }
+}
+
+TEST(VliwCommunicationOverflow, HasRoomForOneLessThanTheArray) {
+    Boxes boxes(16);
+    boxes[1] = {{8, 9, 0, 0}, {9, 9, 0, 0}};
+    VliwRenderer renderer = renderer_with(boxes, {});
+    renderer.write(9, "receive_end", kReceiveAt + 3 * kDescriptorWords);
+    ASSERT_TRUE(renderer.run());
+    EXPECT_EQ(renderer.read(9, "error"), 0);
+    EXPECT_EQ(renderer.read(9, "receive_count"), 2);
+}
+
+}  // namespace
+}  // namespace rasterloom::test

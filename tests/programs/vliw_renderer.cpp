@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "programs/vliw_renderer.hpp"
+
+#include "isa/assembler.hpp"
+#include "isa/vliw/vliw.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace rasterloom::test {
+namespace {
+
+using isa::vliw::Interpreter;
+using isa::vliw::Program;
+
+constexpr std::int64_t kScanlineCycles = 910;
+constexpr std::int64_t kStopsAtMost = 1'000'000;
+constexpr std::int64_t kBundlesAtOnce = 1'000'000;
+
+isa::Image assembled(std::span<const std::string_view> files, std::string_view stubs,
+                     std::string_view first, const Defines& defines) {
+    std::string source;
+    for (const std::string_view file : {"options.s", "memory.s", "dispatch.s"}) {
+        source += fmt::format(" .include \"{}\"\n", file);
+    }
+    for (const std::string_view file : files) {
+        source += fmt::format(" .include \"{}\"\n", file);
+    }
+    source += fmt::format("{}\nfirst_procedure:\n setp {}\n line\n .end first_procedure\n", stubs,
+                          first);
+    isa::AssemblerOptions options;
+    options.include_dirs = {RASTERLOOM_SOURCE_DIR "/programs/vliw"};
+    options.defines = defines;
+    isa::Assembly assembly =
+        isa::assemble_text(isa::vliw::vliw_isa(), "stages.s", source, options);
+    if (!assembly.ok()) {
+        throw std::runtime_error(to_string(assembly.diagnostics));
+    }
+    return std::move(assembly.image);
+}
+
+}  // namespace
+
+VliwRenderer::VliwRenderer(std::span<const std::string_view> files, std::string_view stubs,
+                           std::string_view first, const Defines& defines, std::int64_t lanes)
+    : VliwRenderer(assembled(files, stubs, first, defines), lanes) {}
+
+VliwRenderer::VliwRenderer(const isa::Image& image, std::int64_t lanes)
+    : symbols_(image.symbols), machine_(std::make_shared<const Program>(image), lanes),
+      line_locked_(symbol("line_locked") != 0) {
+    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        write(lane, "lane", static_cast<int>(lane));
+        write(lane, "column", static_cast<int>(lane));
+        write(lane, "lanes", static_cast<int>(lanes));
+    }
+}
+
+bool VliwRenderer::run() {
+    for (std::int64_t stops = 0; stops < kStopsAtMost; ++stops) {
+        const std::int64_t before = machine_.bundles_executed();
+        const Interpreter::Stop stop = machine_.run(kBundlesAtOnce);
+        bundles_.at(static_cast<std::size_t>(phase_)) += machine_.bundles_executed() - before;
+        cycles_ += stop.cycles;
+        switch (stop.reason) {
+            case Interpreter::Reason::halt:
+                return true;
+            case Interpreter::Reason::frame:
+                return false;
+            case Interpreter::Reason::line:
+                end_scanline();
+                break;
+            case Interpreter::Reason::phase:
+                phase_ = stop.phase;
+                break;
+            case Interpreter::Reason::trap:
+                throw std::runtime_error(stop.trap);
+            case Interpreter::Reason::budget:
+                throw std::runtime_error(fmt::format(
+                    "no scanline ends, at bundle {}", machine_.program_counter()));
+        }
+    }
+    throw std::runtime_error("the program does not end");
+}
+
+void VliwRenderer::end_scanline() {
+    if (line_locked_ && cycles_ > kScanlineCycles) {
+        throw std::runtime_error(
+            fmt::format("a scanline of {} cycles, procedure {}", cycles_, machine_.procedure()));
+    }
+    longest_ = std::max(longest_, cycles_);
+    cycles_ = 0;
+    machine_.set_aux(static_cast<std::size_t>(scanlines_) < aux.size()
+                         ? aux[static_cast<std::size_t>(scanlines_)]
+                         : std::uint16_t{0});
+    ++scanlines_;
+}
+
+std::uint16_t VliwRenderer::symbol(std::string_view name) const {
+    const auto found = symbols_.find(name);
+    if (found == symbols_.end()) {
+        throw std::runtime_error(fmt::format("no symbol {}", name));
+    }
+    return static_cast<std::uint16_t>(found->second);
+}
+
+std::uint16_t VliwRenderer::read(std::int64_t lane, std::uint32_t address) const {
+    return machine_.read(lane, address);
+}
+
+std::uint16_t VliwRenderer::read(std::int64_t lane, std::string_view name, int offset) const {
+    return read(lane, static_cast<std::uint32_t>(symbol(name) + offset));
+}
+
+void VliwRenderer::write(std::int64_t lane, std::uint32_t address,
+                         std::span<const std::uint16_t> words) {
+    machine_.write(lane, address, words);
+}
+
+void VliwRenderer::write(std::int64_t lane, std::string_view name, int value) {
+    const std::array word = {static_cast<std::uint16_t>(value)};
+    write(lane, symbol(name), word);
+}
+
+}  // namespace rasterloom::test
