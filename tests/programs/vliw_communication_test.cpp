@@ -32,7 +32,8 @@ using Boxes = std::vector<std::vector<Box>>;  // by lane
 Descriptor descriptor(const Box& box, std::int64_t lane, std::size_t index) {
     Descriptor words{};
     for (std::size_t i = 5; i < words.size(); ++i) {
-        words[i] = static_cast<std::uint16_t>(static_cast<std::size_t>(lane) * 1000 + index + 7 * i);
+        words[i] =
+            static_cast<std::uint16_t>(static_cast<std::size_t>(lane) * 1000 + index + 7 * i);
     }
     words[0] = static_cast<std::uint16_t>(box.left);
     words[1] = static_cast<std::uint16_t>(box.right);
@@ -41,9 +42,9 @@ Descriptor descriptor(const Box& box, std::int64_t lane, std::size_t index) {
     return words;
 }
 
-VliwRenderer renderer_with(const Boxes& boxes, const Defines& options) {
+VliwRenderer renderer_with(const Boxes& boxes, const Defines& options, Form form = Form::packed) {
     const auto lanes = static_cast<std::int64_t>(boxes.size());
-    VliwRenderer renderer(kFiles, kStubs, "communicate", options, lanes);
+    VliwRenderer renderer(kFiles, kStubs, "communicate", options, lanes, form);
     for (std::int64_t lane = 0; lane < lanes; ++lane) {
         renderer.write(lane, "source_at", kSourceAt);
         renderer.write(lane, "source_end", kSourceEnd);
@@ -108,8 +109,8 @@ Boxes random_boxes(int lanes, int most, int widest, std::uint32_t seed) {
     return boxes;
 }
 
-void expect_all_where_wanted(const Boxes& boxes, const Defines& options) {
-    VliwRenderer renderer = renderer_with(boxes, options);
+void expect_all_where_wanted(const Boxes& boxes, const Defines& options, Form form) {
+    VliwRenderer renderer = renderer_with(boxes, options, form);
     ASSERT_TRUE(renderer.run());
     for (int lane = 0; lane < static_cast<int>(boxes.size()); ++lane) {
         EXPECT_EQ(renderer.read(lane, "error"), 0);
@@ -121,6 +122,7 @@ struct Options {
     int dense;
     int stride;
     int line_locked;
+    Form form;
 };
 
 class VliwCommunication : public ::testing::TestWithParam<Options> {
@@ -133,11 +135,11 @@ class VliwCommunication : public ::testing::TestWithParam<Options> {
 };
 
 TEST_P(VliwCommunication, BringsEveryDescriptorOnceToAllWhoWantItAndToNoOther) {
-    for (const int lanes : {16, 48, 64}) {
-        for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    for (const int lanes : {16, 48}) {
+        for (std::uint32_t seed = 0; seed < 2; ++seed) {
             SCOPED_TRACE(fmt::format("{} lanes, seed {}", lanes, seed));
             expect_all_where_wanted(random_boxes(lanes, 5, seed % 2 == 0 ? 6 : lanes, seed),
-                                    options());
+                                    options(), GetParam().form);
         }
     }
 }
@@ -147,23 +149,23 @@ TEST_P(VliwCommunication, BringsWhatALaneSendsToItself) {
     for (int lane = 0; lane < 16; ++lane) {
         boxes[static_cast<std::size_t>(lane)] = {{lane, lane, 0, 0}, {0, 15, 0, 0}};
     }
-    expect_all_where_wanted(boxes, options());
+    expect_all_where_wanted(boxes, options(), GetParam().form);
 }
 
 TEST_P(VliwCommunication, LeavesOutWhatCoversNoSample) {
     Boxes boxes(16);
     boxes[3] = {{5, 4, 0, 0}, {5, 6, 2, 1}, {7, 7, 0, 0}};
-    expect_all_where_wanted(boxes, options());
+    expect_all_where_wanted(boxes, options(), GetParam().form);
 }
 
 TEST_P(VliwCommunication, EndsAtTheRingsEndWhereTheScreenIsWider) {
     Boxes boxes(16);
     boxes[2] = {{14, 20, 0, 0}, {16, 20, 0, 0}, {3, 3, 0, 0}};
-    expect_all_where_wanted(boxes, options());
+    expect_all_where_wanted(boxes, options(), GetParam().form);
 }
 
 TEST_P(VliwCommunication, EndsAtOnceWhereThereIsNothingToSend) {
-    VliwRenderer renderer = renderer_with(Boxes(16), options());
+    VliwRenderer renderer = renderer_with(Boxes(16), options(), GetParam().form);
     ASSERT_TRUE(renderer.run());
     EXPECT_EQ(renderer.read(0, "near_passes"), 0);
     EXPECT_EQ(renderer.read(0, "far_passes"), 0);
@@ -174,9 +176,9 @@ std::vector<Options> all_options() {
     std::vector<Options> all;
     for (const int dense : {0, 1}) {
         for (const int stride : {1, 2, 4, 8, 16}) {
-            for (const int line_locked : {0, 1}) {
-                all.push_back({dense, stride, line_locked});
-            }
+            all.push_back({dense, stride, 0, Form::as_written});
+            all.push_back({dense, stride, 0, Form::packed});
+            all.push_back({dense, stride, 1, Form::packed});
         }
     }
     return all;
@@ -184,10 +186,10 @@ std::vector<Options> all_options() {
 
 INSTANTIATE_TEST_SUITE_P(All, VliwCommunication, ::testing::ValuesIn(all_options()),
                          [](const auto& info) {
-                             return fmt::format("{}Stride{}{}",
-                                                info.param.dense != 0 ? "Dense" : "Sparse",
-                                                info.param.stride,
-                                                info.param.line_locked != 0 ? "LineLocked" : "");
+                             return fmt::format(
+                                 "{}Stride{}{}{}", info.param.dense != 0 ? "Dense" : "Sparse",
+                                 info.param.stride, info.param.line_locked != 0 ? "LineLocked" : "",
+                                 info.param.form == Form::packed ? "Packed" : "AsWritten");
                          });
 
 // On a ring of 16: one descriptor from lane 1 to 8, 9 and 10 (Eldridge's figure A-6).
@@ -220,19 +222,15 @@ TEST(VliwPasses, DistributedGoByStridesThenByOnes) {
     EXPECT_EQ(passes(renderer, "near_passes"), 4) << "from 5 to 8 and 9, from 9 to 10";
 }
 
-TEST(VliwPasses, AreCountedPast65535) {
-    Boxes boxes(1024);
-    boxes[5] = std::vector<Box>(65, {9, 9, 0, 0});
-    VliwRenderer renderer = renderer_with(boxes, {{"dense", 0}, {"stride", 1}});
-    renderer.run();
-    EXPECT_EQ(passes(renderer, "near_passes"), 65 * 1024);
-}
-
-TEST(VliwPasses, TakeNoMoreThanFiveToAScanlineOfALineLockedMachine) {
-    VliwRenderer renderer =
-        renderer_with(figure_a6(), {{"dense", 0}, {"stride", 1}, {"line_locked", 1}});
-    renderer.run();
-    EXPECT_LE(renderer.longest_scanline(), 910);
+TEST(VliwPasses, CostNoMoreThanEldridges) {
+    constexpr int kOverhead = 30;
+    for (const int stride : {2, 4, 8, 16}) {
+        const VliwRenderer renderer = renderer_with(figure_a6(), {{"stride", stride}});
+        EXPECT_LE(renderer.cost("pass_near_loop", "pass_near_done").cycles,
+                  3 * kDescriptorWords + kOverhead);
+        EXPECT_LE(renderer.cost("pass_far_loop", "pass_far_done").cycles,
+                  (2 + stride) * kDescriptorWords + kOverhead);
+    }
 }
 
 TEST(VliwCommunicationOverflow, HaltsWithErrorTwoOnTheLanesThatAreFull) {

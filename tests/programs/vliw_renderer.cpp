@@ -2,6 +2,7 @@
 #include "programs/vliw_renderer.hpp"
 
 #include "isa/assembler.hpp"
+#include "isa/vliw/scheduler.hpp"
 #include "isa/vliw/vliw.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ constexpr std::int64_t kStopsAtMost = 1'000'000;
 constexpr std::int64_t kBundlesAtOnce = 1'000'000;
 
 isa::Image assembled(std::span<const std::string_view> files, std::string_view stubs,
-                     std::string_view first, const Defines& defines) {
+                     std::string_view first, const Defines& defines, Form form) {
     std::string source;
     for (const std::string_view file : {"options.s", "memory.s", "dispatch.s"}) {
         source += fmt::format(" .include \"{}\"\n", file);
@@ -29,27 +30,30 @@ isa::Image assembled(std::span<const std::string_view> files, std::string_view s
     for (const std::string_view file : files) {
         source += fmt::format(" .include \"{}\"\n", file);
     }
-    source += fmt::format("{}\nfirst_procedure:\n setp {}\n line\n .end first_procedure\n", stubs,
-                          first);
+    source +=
+        fmt::format("{}\nfirst_procedure:\n setp {}\n line\n .end first_procedure\n", stubs, first);
     isa::AssemblerOptions options;
     options.include_dirs = {RASTERLOOM_SOURCE_DIR "/programs/vliw"};
     options.defines = defines;
-    isa::Assembly assembly =
+    const isa::Assembly assembly =
         isa::assemble_text(isa::vliw::vliw_isa(), "stages.s", source, options);
     if (!assembly.ok()) {
         throw std::runtime_error(to_string(assembly.diagnostics));
     }
-    return std::move(assembly.image);
+    return form == Form::packed ? isa::vliw::pack(assembly.image).image : assembly.image;
 }
 
 }  // namespace
 
 VliwRenderer::VliwRenderer(std::span<const std::string_view> files, std::string_view stubs,
-                           std::string_view first, const Defines& defines, std::int64_t lanes)
-    : VliwRenderer(assembled(files, stubs, first, defines), lanes) {}
+                           std::string_view first, const Defines& defines, std::int64_t lanes,
+                           Form form)
+    : VliwRenderer(assembled(files, stubs, first, defines, form), lanes) {}
 
 VliwRenderer::VliwRenderer(const isa::Image& image, std::int64_t lanes)
-    : symbols_(image.symbols), machine_(std::make_shared<const Program>(image), lanes),
+    : symbols_(image.symbols),
+      program_(std::make_shared<const Program>(image)),
+      machine_(program_, lanes),
       line_locked_(symbol("line_locked") != 0) {
     for (std::int64_t lane = 0; lane < lanes; ++lane) {
         write(lane, "lane", static_cast<int>(lane));
@@ -78,8 +82,8 @@ bool VliwRenderer::run() {
             case Interpreter::Reason::trap:
                 throw std::runtime_error(stop.trap);
             case Interpreter::Reason::budget:
-                throw std::runtime_error(fmt::format(
-                    "no scanline ends, at bundle {}", machine_.program_counter()));
+                throw std::runtime_error(
+                    fmt::format("no scanline ends, at bundle {}", machine_.program_counter()));
         }
     }
     throw std::runtime_error("the program does not end");
@@ -104,6 +108,17 @@ std::uint16_t VliwRenderer::symbol(std::string_view name) const {
         throw std::runtime_error(fmt::format("no symbol {}", name));
     }
     return static_cast<std::uint16_t>(found->second);
+}
+
+Cost VliwRenderer::cost(std::string_view from_label, std::string_view to_label) const {
+    Cost cost;
+    for (std::size_t at = symbol(from_label); at < symbol(to_label); ++at) {
+        const isa::vliw::Bundle& bundle = program_->bundles.at(at);
+        ++cost.bundles;
+        cost.cycles += cycles_of(bundle);
+        cost.operations += operations_in(bundle);
+    }
+    return cost;
 }
 
 std::uint16_t VliwRenderer::read(std::int64_t lane, std::uint32_t address) const {

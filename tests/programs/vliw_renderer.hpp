@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,18 +23,30 @@ using Words = std::vector<std::uint16_t>;
 constexpr int kDescriptorWords = 42;
 using Descriptor = std::array<std::uint16_t, kDescriptorWords>;
 
+enum class Form : std::uint8_t { as_written, packed };
+
+// What stands between two labels, executed once.
+struct Cost {
+    std::int64_t bundles = 0;
+    std::int64_t cycles = 0;
+    std::int64_t operations = 0;
+};
+
 class VliwRenderer {
   public:
     // Files of programs/vliw behind options.s, memory.s and dispatch.s; then `stubs`, lines of
     // source. The program begins at `first`. Throws std::runtime_error with the assembler's words.
     VliwRenderer(std::span<const std::string_view> files, std::string_view stubs,
-                 std::string_view first, const Defines& defines, std::int64_t lanes);
+                 std::string_view first, const Defines& defines, std::int64_t lanes,
+                 Form form = Form::packed);
 
     // To the next halt (true) or frame (false). Throws for a trap, an endless run, and on a
-    // line-locked machine for a scanline of more than 910 cycles.
+    // line-locked machine for a scanline of more than 910 cycles, which only packed programs keep
+    // to.
     bool run();
 
     std::uint16_t symbol(std::string_view name) const;
+    Cost cost(std::string_view from_label, std::string_view to_label) const;
     std::uint16_t read(std::int64_t lane, std::uint32_t address) const;
     std::uint16_t read(std::int64_t lane, std::string_view name, int offset = 0) const;
     void write(std::int64_t lane, std::uint32_t address, std::span<const std::uint16_t> words);
@@ -54,6 +67,7 @@ class VliwRenderer {
     void end_scanline();
 
     std::map<std::string, std::uint32_t, std::less<>> symbols_;
+    std::shared_ptr<const isa::vliw::Program> program_;
     isa::vliw::Interpreter machine_;
     bool line_locked_;
     int phase_ = 0;
