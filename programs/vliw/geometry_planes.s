@@ -2,8 +2,7 @@
 ; Geometry, second stage, part 2: makes a candidate a descriptor. Edges are exact. A parameter with the values p at the vertices has, per
 ; pixel, the slope 2^4 (p0 e12 + p1 e20 + p2 e01) / area along x, e the edges' A; along y their B (Eldridge 1995, figure 3-9). The sums
 ; are exact in 32 bits, the area's reciprocal is taken once, in 16 bits. Where the area is less than half a pixel or a slope has no room
-; in its words both are 0. C is such that p is right at vertex 0, and a half above, so that what is cut off later is rounded: without it a
-; parameter that is 0 at a vertex could fall below.
+; in its words both are 0. C is such that p is right at vertex 0.
 ;
 ; Registers: r1 the descriptor, r3 sx0, r4 sy0, r9 r10 A and B of edge 01, r11 r12 of 12, r13 r14 of 20, r15 2^46 / (area 2^s), r16
 ; 2^((s - 10) mod 16), r17 1 where s < 10, else 0, r18 2^12 sx0, r19 2^12 sy0, r20 0x8000, r21 to r23 2^28 / z'.
@@ -70,8 +69,8 @@
         sub32   cl, ch, cl, ch, t, u
         .endm
 
-; The descriptor's six words at `to` for the unsigned values p0 ... p2. Spoils r2, r5 ... r8, r27 ... r31.
-        .macro  plane to, p0, p1, p2
+; The descriptor's six words at `to` for the unsigned values p0 ... p2; fraction: added to them, in 2^-16. Spoils r2, r5 ... r8, r27 ... r31.
+        .macro  plane to, p0, p1, p2, fraction
         slope   r2, r5, r6, r11, r13, r9, p0, p1, p2, words_x, r28, r29, r30, r31
         slope   r7, r8, r27, r12, r14, r10, p0, p1, p2, words_y, r28, r29, r30, r31
         both_fit r28, r5, r6, r8, r27, r29
@@ -82,7 +81,7 @@
         st      r5, to+1(r1)
         st      r7, to+2(r1)
         st      r8, to+3(r1)
-        mov     r30, r20
+        mov     r30, fraction
         mov     r31, p0
         less_slope r30, r31, r2, r5, r3, r18, r28, r29
         less_slope r30, r31, r7, r8, r4, r19, r6, r27
@@ -105,7 +104,7 @@
         sub32   cl, ch, cl, ch, t, u
         .endm
 
-; The intensity's four words; its values are 8.8, the slopes the upper words of s15.16. Spoils the same.
+; The intensity's four words, half a unit added; its values are 8.8, its slopes the upper words of s15.16. Spoils the same.
         .macro  intensity_plane to, p0, p1, p2
         slope   r2, r5, r6, r11, r13, r9, p0, p1, p2, words_x, r28, r29, r30, r31
         slope   r7, r8, r27, r12, r14, r10, p0, p1, p2, words_y, r28, r29, r30, r31
@@ -137,7 +136,7 @@
         texture_value r24, r21, 0, byte, pick, r5
         texture_value r25, r22, 1, byte, pick, r6
         texture_value r26, r23, 2, byte, pick, r7
-        plane   to, r24, r25, r26
+        plane   to, r24, r25, r26, r20
         .endm
 
 ; One side of the box, at `at`, made to lie on the screen.
@@ -191,7 +190,7 @@ planes:
         ld      r25, d_lit+1(r1)
         ld      r26, d_lit+2(r1)
         intensity_plane d_intensity, r24, r25, r26
-        plane   d_depth, r21, r22, r23
+        plane   d_depth, r21, r22, r23, r0
         .if ne textured
         texture_plane d_u, 0xff00, 16
         texture_plane d_v, 0xff, 8

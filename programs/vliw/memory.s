@@ -6,7 +6,7 @@ lane        = 0x00      ; this lane's number
 column      = 0x01      ; the column of the screen that it draws; 0x7fff: none
 polygons    = 0x02      ; polygons in this lane's database
 polygons_at = 0x03      ; where its database begins: kPolygon words each
-source_at   = 0x04      ; where its array of descriptors to be sent begins
+source_at   = 0x04      ; where its array of descriptors to be sent begins; geometry works in it, too, before it makes them
 source_end  = 0x05      ; first word behind that
 receive_at  = 0x06      ; the same of descriptors received
 receive_end = 0x07
@@ -16,8 +16,10 @@ lanes       = 0x0a      ; lanes on the ring (the same on all)
 ;
 ; The view (H). x' = (m0 x + m1 y + m2 z) / 2^14 + m9, and so on: eye space, x right, y up, z away; visible from near on.
 ; Screen, in 1/16 pixel: sx = 16 * 384 + f x'/z', sy = 16 * 256 - f y'/z'; samples lie on whole pixels, row 0 is the upper one.
+; Nothing is clipped: a polygon is not visible when a vertex is nearer than near or about as far from the axis as from the viewer
+; (|x'| or |y'| from 0.999 z' on: 700 pixels from the middle), or when a coordinate has no room in a word.
 matrix      = 0x10      ; m0 ... m8 s1.14, m9 ... m11 integers
-focal       = 0x1c      ; f, in 1/16 pixel: 11200
+focal       = 0x1c      ; f, in 1/16 pixel: 11200; less than 16384
 near        = 0x1d      ; 4097: smallest z' of a visible vertex, by the range of the reciprocals
 ;
 ; Lights, all white (H). Intensities add up and end at 255.
@@ -33,7 +35,7 @@ lamp_specular = 0x2a
 shininess   = 0x2b      ; the specular cosine is squared so many times: 0 ... 6
 ;
 ; Queues (G, C, R)
-source_count  = 0x30    ; descriptors to be sent
+source_count  = 0x30    ; descriptors to be sent (geometry sets it: no need to clear it)
 receive_count = 0x31    ; descriptors received
 drawing     = 0x32      ; word address of the frame buffer being drawn
 shown       = 0x33      ; of the one being shown; after `frame`: of the picture just finished
@@ -56,8 +58,12 @@ kPolygon    = 24        ; words
 ;   21: red, green bytes; 22: blue byte, texture's upper byte; 23: texture's lower bytes (0: no texture)
 ;
 ; A polygon descriptor (figure 7-6). Edges: E = A x + B y + C, x and y whole pixels, A and B in 1/16 pixel, C the floor of 1/16 of the
-; exact value; a sample is inside where all three E >= 0 (so its sign is exact). Parameters p(x, y) = A x + B y + C, s15.16 each:
-; depth is 2^28 / z' (greater is nearer), u and v are u (0 ... 255) times depth / 256. Intensity: A, B s7.8, C s15.16, 0 ... 255.
+; exact value; a sample is inside where all three E >= 0 (so its sign is exact). Parameters p(x, y) = A x + B y + C, slopes s15.16, values
+; 16.16 without a sign, modulo 2^32: depth is 2^28 / z' (greater is nearer), u and v are u (0 ... 255) times depth / 256. Intensity: A, B
+; s7.8, C s15.16, 0 ... 255. The C of u, v and intensity have half a unit added: so their whole parts are rounded, and inside the triangle
+; they are never below 0 nor above 255 (u, v: times depth / 256); intensity, whose slopes are short, as far as 256 pixels from vertex 0,
+; across and down together.
+; Slopes are 0 where the triangle's area is less than half a pixel or one of the parameter's two has no room in its words.
 kDescriptor = 42        ; words; 32-bit values: lower word first
 d_left      = 0         ; columns and rows, whole pixels, within the screen: ceil of the least, floor of the greatest
 d_right     = 1
@@ -65,7 +71,7 @@ d_top       = 2
 d_bottom    = 3
 d_passes    = 4         ; the communication's own: what it still has to do with this descriptor
 d_colour    = 5         ; red, green; then blue, texture; then texture, as in the database
-d_edges     = 8         ; three of: A, B, C (two words)
+d_edges     = 8         ; three of: A, B, C (two words); from vertex 0 to 1, 1 to 2, 2 to 0
 d_depth     = 20        ; A, B, C two words each
 d_intensity = 26        ; A, B one word each, C two words
 d_u         = 30        ; A, B, C two words each

@@ -144,13 +144,12 @@ double Descriptor::value_at(const Plane& plane, std::size_t corner, double expec
     const ScreenCorner& place = corners_[corner];
     const double value =
         static_cast<double>(plane.a * place.x + plane.b * place.y + 16 * plane.c) / 16 / kFraction;
-    return value - plane.values * std::round((value - expected) / plane.values);
+    return value - kFraction * std::round((value - expected) / kFraction);
 }
 
 std::string Descriptor::complaint(std::string_view name, const Plane& plane,
                                   const PlaneValues& expected) const {
     constexpr double kHalfPixel = 256;
-    constexpr double kRounding = 0.5;  // that parameters carry
     const double steep = steepest(expected);
     const bool flat = plane.a == 0 && plane.b == 0;
     const bool must_be_flat =
@@ -170,8 +169,8 @@ std::string Descriptor::complaint(std::string_view name, const Plane& plane,
         const double error =
             expected[i].error + expected[0].error + range / 16384 + away * plane.step + 0.01;
         const double value = value_at(plane, i, expected[i].most);
-        if (value < expected[i].least + kRounding - error ||
-            value > expected[i].most + kRounding + error) {
+        if (value < expected[i].least + plane.added - error ||
+            value > expected[i].most + plane.added + error) {
             return fmt::format("{} is {} at vertex {}, not {} to {}, +- {}; ", name, value, i,
                                expected[i].least, expected[i].most, error);
         }
@@ -179,18 +178,19 @@ std::string Descriptor::complaint(std::string_view name, const Plane& plane,
     return {};
 }
 
-std::string Descriptor::plane_complaint(std::string_view name, std::size_t at,
+std::string Descriptor::plane_complaint(std::string_view name, std::size_t at, double added,
                                         const PlaneValues& expected) const {
     return complaint(
-        name, {long_word(at), long_word(at + 2), long_word(at + 4), 1 / kFraction, 32768, 65536},
+        name, {long_word(at), long_word(at + 2), long_word(at + 4), 1 / kFraction, 32768, added},
         expected);
 }
 
 std::string Descriptor::intensity_complaint(const PlaneValues& expected) const {
     constexpr std::int64_t kToFraction = 256;
+    constexpr double kHalf = 0.5;
     return complaint("intensity",
                      {signed_word(26) * kToFraction, signed_word(27) * kToFraction, long_word(28),
-                      1.0 / 512, 128, 65536},
+                      1.0 / 512, 128, kHalf},
                      expected);
 }
 

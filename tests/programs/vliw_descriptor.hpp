@@ -51,8 +51,8 @@ class Descriptor {
     std::string box_complaint() const;
     // Samples farther than 1/4 pixel from the expected triangle's sides are in or out as there.
     std::string sample_complaint() const;
-    // Of six words at `at`.
-    std::string plane_complaint(std::string_view name, std::size_t at,
+    // Of six words at `at`, whose values have something added.
+    std::string plane_complaint(std::string_view name, std::size_t at, double added,
                                 const PlaneValues& expected) const;
     std::string intensity_complaint(const PlaneValues& expected) const;
 
@@ -63,9 +63,9 @@ class Descriptor {
     };
     struct Plane {
         std::int64_t a, b, c;  // 16 bits of fraction
-        double step;           // a slope's last place
+        double step;           // what a slope may be wrong by
         double limit;          // no slope reaches it
-        double values;         // a value's words hold less
+        double added;          // to the values
     };
 
     int signed_word(std::size_t index) const { return static_cast<std::int16_t>(words_[index]); }

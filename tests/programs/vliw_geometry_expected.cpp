@@ -188,10 +188,11 @@ std::string ExpectedPolygon::parameter_complaint(const Descriptor& descriptor,
         v[i] = {vertex.v, vertex.v, 1 + depth_error};
         intensity[i] = {vertex.intensity.least, vertex.intensity.most, 0.5};
     }
-    std::string text =
-        descriptor.plane_complaint("depth", 20, depth) + descriptor.intensity_complaint(intensity);
+    std::string text = descriptor.plane_complaint("depth", 20, 0, depth) +
+                       descriptor.intensity_complaint(intensity);
     if (textured) {
-        text += descriptor.plane_complaint("u", 30, u) + descriptor.plane_complaint("v", 36, v);
+        text += descriptor.plane_complaint("u", 30, 0.5, u) +
+                descriptor.plane_complaint("v", 36, 0.5, v);
     }
     return text;
 }

@@ -2,6 +2,7 @@
 #include "programs/vliw_geometry_run.hpp"
 
 #include "isa/assembler.hpp"
+#include "isa/vliw/scheduler.hpp"
 #include "isa/vliw/vliw.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ struct Assembled {
     std::shared_ptr<const isa::vliw::Program> program;
 };
 
-Assembled assembled(bool textured) {
+Assembled assembled(bool textured, bool packed) {
     isa::AssemblerOptions options;
     options.include_dirs = {RASTERLOOM_SOURCE_DIR "/programs/vliw"};
     options.defines["textured"] = textured ? 1 : 0;
@@ -39,13 +40,17 @@ Assembled assembled(bool textured) {
     if (!assembly.ok()) {
         throw std::runtime_error(to_string(assembly.diagnostics));
     }
-    return {assembly.image, std::make_shared<const isa::vliw::Program>(assembly.image)};
+    const isa::Image image = packed ? isa::vliw::pack(assembly.image).image : assembly.image;
+    return {image, std::make_shared<const isa::vliw::Program>(image)};
 }
 
-const Assembled& program(bool textured) {
-    static const Assembled plain = assembled(false);
-    static const Assembled full = assembled(true);
-    return textured ? full : plain;
+const Assembled& program(const VliwGeometryOptions& options) {
+    static std::map<std::pair<bool, bool>, Assembled> programs;
+    const std::pair key{options.textured, options.packed};
+    if (!programs.contains(key)) {
+        programs.emplace(key, assembled(options.textured, options.packed));
+    }
+    return programs.at(key);
 }
 
 // Tables as memory.s defines them.
@@ -91,8 +96,8 @@ std::vector<std::uint16_t> words_of(const VliwPolygon& polygon) {
 VliwGeometryRun::VliwGeometryRun(const VliwView& view, const VliwLights& lights,
                                  const std::vector<VliwDatabase>& lanes, const Options& options)
     : options_(options),
-      image_(program(options.textured).image),
-      machine_(program(options.textured).program, static_cast<std::int64_t>(lanes.size())) {
+      image_(program(options).image),
+      machine_(program(options).program, static_cast<std::int64_t>(lanes.size())) {
     std::size_t most = 0;
     for (const VliwDatabase& polygons : lanes) {
         most = std::max(most, polygons.size());
@@ -100,10 +105,7 @@ VliwGeometryRun::VliwGeometryRun(const VliwView& view, const VliwLights& lights,
     for (int lane = 0; const VliwDatabase& polygons : lanes) {
         load_lane(lane, view, lights, polygons);
         poke(lane, symbol("most"), {static_cast<std::uint16_t>(most)});
-        before_.emplace_back();
-        for (std::uint32_t address = 0; address < isa::vliw::kBankWords; ++address) {
-            before_.back().push_back(word(lane, address));
-        }
+        before_.push_back(fast_memory(lane));
         ++lane;
     }
     run();
@@ -134,9 +136,8 @@ void VliwGeometryRun::load_lane(int lane, const VliwView& view, const VliwLights
     const std::uint32_t array_end =
         array + static_cast<std::uint32_t>(options_.room) * symbol("kDescriptor");
     const std::uint32_t database = array_end + 10;
-    for (std::uint32_t address = symbol("source_count"); address < 0x8000; ++address) {
-        poke(lane, address, {0xdead});
-    }
+    const std::uint32_t first = symbol("source_count");
+    poke(lane, first, std::vector<std::uint16_t>(0x8000 - first, 0xdead));
     for (std::uint32_t address = database; const VliwPolygon& polygon : polygons) {
         poke(lane, address, words_of(polygon));
         address += symbol("kPolygon");
@@ -203,19 +204,26 @@ std::vector<VliwDescriptor> VliwGeometryRun::descriptors(int lane) const {
 }
 
 bool VliwGeometryRun::kept_its_place(int lane) const {
-    const std::uint32_t array = word(lane, symbol("source_at"));
-    const std::uint32_t array_end = word(lane, symbol("source_end"));
-    for (std::uint32_t address = 0; address < isa::vliw::kBankWords; ++address) {
-        const bool may_change =
-            (address >= symbol("geometry_scratch") && address < symbol("other_scratch")) ||
-            address == symbol("source_count") || address == symbol("error") ||
-            (address >= array && address < array_end);
-        if (!may_change &&
-            word(lane, address) != before_[static_cast<std::size_t>(lane)][address]) {
-            return false;
+    std::vector<std::uint16_t> now = fast_memory(lane);
+    std::vector<std::uint16_t> before = before_[static_cast<std::size_t>(lane)];
+    const auto forget = [&](std::uint32_t from, std::uint32_t to) {
+        for (auto* memory : {&now, &before}) {
+            std::fill(memory->begin() + from, memory->begin() + to, std::uint16_t{0});
         }
+    };
+    forget(symbol("geometry_scratch"), symbol("other_scratch"));
+    forget(symbol("source_count"), symbol("source_count") + 1);
+    forget(symbol("error"), symbol("error") + 1);
+    forget(word(lane, symbol("source_at")), word(lane, symbol("source_end")));
+    return now == before;
+}
+
+std::vector<std::uint16_t> VliwGeometryRun::fast_memory(int lane) const {
+    std::vector<std::uint16_t> words;
+    for (std::uint32_t address = 0; address < isa::vliw::kBankWords; ++address) {
+        words.push_back(word(lane, address));
     }
-    return true;
+    return words;
 }
 
 }  // namespace rasterloom::test

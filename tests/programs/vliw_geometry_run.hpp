@@ -50,6 +50,7 @@ using VliwDescriptor = std::vector<std::uint16_t>;  // 42 words
 
 struct VliwGeometryOptions {
     bool textured = true;
+    bool packed = true;
     int room = 64;  // descriptors that a lane's array holds
 };
 
@@ -66,8 +67,8 @@ class VliwGeometryRun {
     int error(int lane) const { return word(lane, symbol("error")); }
     // Of lane's array, as many as its source_count says.
     std::vector<VliwDescriptor> descriptors(int lane) const;
-    // Whether all words of lane's memory outside its array and the words below scratch_end are as
-    // they were before the run.
+    // Whether the run has left alone what is not its: all fast memory but the lane's array, its
+    // count, `error` and the geometry's scratch.
     bool kept_its_place(int lane) const;
 
     // Bundles and operations between the procedure's beginning and its `line`, by its name.
@@ -82,6 +83,7 @@ class VliwGeometryRun {
   private:
     std::uint32_t symbol(std::string_view name) const;
     std::uint16_t word(int lane, std::uint32_t address) const;
+    std::vector<std::uint16_t> fast_memory(int lane) const;
     void poke(int lane, std::uint32_t address, const std::vector<std::uint16_t>& words);
     void load_lane(int lane, const VliwView& view, const VliwLights& lights,
                    const VliwDatabase& polygons);

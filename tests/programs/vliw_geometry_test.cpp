@@ -1,124 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The geometry stage in VLIW assembly against double precision.
+// The geometry stage in VLIW assembly (programs/vliw/geometry.s) against double precision.
 #include "programs/vliw_geometry_expected.hpp"
 #include "programs/vliw_geometry_run.hpp"
+#include "programs/vliw_scenes.hpp"
 
-#include <cmath>
-#include <cstdlib>
-#include <numbers>
-#include <random>
+#include <algorithm>
+#include <string>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace rasterloom::test {
 namespace {
 
-// Random polygons, views and lights, the same on every machine.
-class Source {
-  public:
-    explicit Source(unsigned seed) : engine_(seed) {}
-
-    int whole(int least, int most) {
-        return least + static_cast<int>(engine_() % static_cast<unsigned>(most - least + 1));
-    }
-    std::int16_t word(int least, int most) { return static_cast<std::int16_t>(whole(least, most)); }
-    double real() { return whole(-1'000'000, 1'000'000) / 1e6; }
-
-    std::array<double, 3> unit() {
-        while (true) {
-            const std::array v{real(), real(), real()};
-            const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-            if (length > 0.1 && length <= 1) {
-                return {v[0] / length, v[1] / length, v[2] / length};
-            }
-        }
-    }
-    std::array<std::int16_t, 3> unit_words() {
-        std::array<std::int16_t, 3> words{};
-        for (std::size_t k = 0; const double part : unit()) {
-            words[k++] = static_cast<std::int16_t>(std::lround(part * 16384));
-        }
-        return words;
-    }
-
-    // A turn about a random axis by a random angle (Rodrigues), then away to distance z.
-    VliwView view(int z) {
-        const auto axis = unit();
-        const double angle = real() * std::numbers::pi;
-        const double c = std::cos(angle);
-        const double s = std::sin(angle);
-        VliwView view;
-        for (std::size_t row = 0; row < 3; ++row) {
-            for (std::size_t column = 0; column < 3; ++column) {
-                double element = axis[row] * axis[column] * (1 - c);
-                if (row == column) {
-                    element += c;
-                } else {
-                    const std::size_t third = 3 - row - column;
-                    element += ((column + 3 - row) % 3 == 1 ? -s : s) * axis[third];
-                }
-                view.matrix[3 * row + column] =
-                    static_cast<std::int16_t>(std::lround(element * 16384));
-            }
-        }
-        view.matrix[9] = word(-z / 4, z / 4);
-        view.matrix[10] = word(-z / 5, z / 5);
-        view.matrix[11] = static_cast<std::int16_t>(z);
-        return view;
-    }
-
-    VliwLights lights() {
-        VliwLights lights;
-        lights.ambient = whole(0, 60);
-        lights.sun = unit_words();
-        lights.sun_diffuse = whole(0, 255);
-        lights.sun_specular = whole(0, 255);
-        lights.lamp = {word(-9000, 9000), word(-9000, 9000), word(-3000, 3000)};
-        lights.lamp_diffuse = whole(0, 255);
-        lights.lamp_specular = whole(0, 255);
-        lights.shininess = whole(0, 6);
-        return lights;
-    }
-
-    // Vertices within `size` of a place within `reach` of the origin.
-    VliwPolygon polygon(int reach, int size) {
-        VliwPolygon result;
-        const std::array place{whole(-reach, reach), whole(-reach, reach), whole(-reach, reach)};
-        for (VliwVertex& vertex : result.vertices) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                vertex.place[k] = static_cast<std::int16_t>(place[k] + whole(-size, size));
-            }
-            vertex.normal = unit_words();
-            vertex.u = whole(0, 255);
-            vertex.v = whole(0, 255);
-        }
-        for (std::uint16_t& colour : result.colour) {
-            colour = static_cast<std::uint16_t>(whole(0, 65535));
-        }
-        return result;
-    }
-
-    // Any words at all.
-    VliwPolygon garbage() {
-        VliwPolygon result = polygon(0, 16384);
-        for (VliwVertex& vertex : result.vertices) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                vertex.place[k] = word(-32768, 32767);
-                vertex.normal[k] = word(-32768, 32767);
-            }
-        }
-        return result;
-    }
-
-  private:
-    std::mt19937 engine_;
-};
-
 struct Tally {
     int visible = 0;
     int hidden = 0;
     int doubtful = 0;
+    Tally& operator+=(const Tally& other) {
+        visible += other.visible;
+        hidden += other.hidden;
+        doubtful += other.doubtful;
+        return *this;
+    }
 };
 
 // Every descriptor of the run is that of a polygon of the lane, in order, and none is missing.
@@ -141,9 +44,6 @@ Tally check(const VliwGeometryRun& run, const VliwView& view, const VliwLights& 
             if (complaint.empty()) {
                 ++next;
             } else if (fate == Fate::visible) {
-                if (next != descriptors.end())
-                    for (auto w : *next)
-                        fmt::print("{} ", (std::int16_t)w);
                 ADD_FAILURE() << "lane " << lane << ", polygon " << i << ": " << complaint;
                 return tally;
             }
@@ -157,36 +57,229 @@ Tally check(const VliwGeometryRun& run, const VliwView& view, const VliwLights& 
     return tally;
 }
 
-std::vector<VliwDatabase> databases(Source& source, int reach, int size) {
-    std::vector<VliwDatabase> lanes(5);
-    for (VliwDatabase& lane : lanes) {
-        lane.resize(static_cast<std::size_t>(source.whole(0, 40)));
-        for (VliwPolygon& polygon : lane) {
-            polygon = source.polygon(reach, size);
-        }
-    }
-    return lanes;
+VliwVertex vertex(int x, int y, int z) {
+    VliwVertex result;
+    result.place = {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
+                    static_cast<std::int16_t>(z)};
+    result.normal = {0, 0, -16384};
+    return result;
+}
+
+// Facing the viewer without a turn, in the middle of the screen.
+VliwPolygon front(int z = 10000, int size = 1000) {
+    VliwPolygon result;
+    result.vertices = {vertex(-size, -size, z), vertex(size, -size, z), vertex(0, size, z)};
+    result.colour = {0x1234, 0x5678, 0x9abc};
+    return result;
+}
+
+VliwPolygon back() {
+    VliwPolygon result = front();
+    std::swap(result.vertices[0], result.vertices[1]);
+    return result;
 }
 
 TEST(VliwGeometry, DescribesTheVisiblePolygonsOfAnObject) {
     Tally sum;
-    for (unsigned seed = 0; seed < 60; ++seed) {
-        Source source(seed);
-        const int z = source.whole(9000, 27000);
-        const auto view = source.view(z);
-        const auto lights = source.lights();
-        const auto lanes = databases(source, 3000, 1 << source.whole(4, 11));
-        const VliwGeometryRun run(view, lights, lanes);
-        const Tally tally = check(run, view, lights, lanes);
+    for (unsigned seed = 0; seed < 24; ++seed) {
+        VliwScenes scenes(seed);
+        const auto view = scenes.view(scenes.whole(9000, 27000));
+        const auto lights = scenes.lights();
+        const auto lanes = scenes.databases(3000, 1 << scenes.whole(7, 11));
+        sum += check(VliwGeometryRun(view, lights, lanes), view, lights, lanes);
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
-        sum.visible += tally.visible;
-        sum.hidden += tally.hidden;
-        sum.doubtful += tally.doubtful;
     }
     EXPECT_GT(sum.visible, 1000);
     EXPECT_GT(sum.hidden, 1000);
     EXPECT_LT(sum.doubtful, sum.visible / 10);
-    fmt::print("{} {} {}\n", sum.visible, sum.hidden, sum.doubtful);
+}
+
+TEST(VliwGeometry, DescribesPolygonsNextToTheViewerOrPartlyOffTheScreen) {
+    Tally sum;
+    for (unsigned seed = 100; seed < 116; ++seed) {
+        VliwScenes scenes(seed);
+        const auto view = scenes.view(scenes.whole(4000, 9000));
+        const auto lights = scenes.lights();
+        const auto lanes = scenes.databases(6000, 3000);
+        sum += check(VliwGeometryRun(view, lights, lanes), view, lights, lanes);
+        ASSERT_FALSE(HasFailure()) << "seed " << seed;
+    }
+    EXPECT_GT(sum.visible, 20);
+    EXPECT_GT(sum.hidden, 1000);
+}
+
+// Of such polygons two vertices almost coincide, or all three lie almost on a line.
+TEST(VliwGeometry, DescribesSlivers) {
+    Tally sum;
+    for (unsigned seed = 200; seed < 216; ++seed) {
+        VliwScenes scenes(seed);
+        const auto view = scenes.view(16000);
+        const auto lights = scenes.lights();
+        auto lanes = scenes.databases(3000, 2000);
+        for (VliwDatabase& lane : lanes) {
+            for (VliwPolygon& polygon : lane) {
+                auto& [a, b, c] = polygon.vertices;
+                const int share = scenes.whole(0, 2);  // from a to b
+                for (std::size_t k = 0; k < 3; ++k) {
+                    c.place[k] = static_cast<std::int16_t>(
+                        a.place[k] + (b.place[k] - a.place[k]) * share / 2 + scenes.whole(-9, 9));
+                }
+            }
+        }
+        sum += check(VliwGeometryRun(view, lights, lanes), view, lights, lanes);
+        ASSERT_FALSE(HasFailure()) << "seed " << seed;
+    }
+    EXPECT_GT(sum.visible + sum.doubtful, 500);
+}
+
+TEST(VliwGeometry, KeepsItsPlaceWhateverTheDatabaseHolds) {
+    for (unsigned seed = 300; seed < 310; ++seed) {
+        VliwScenes scenes(seed);
+        const auto view = scenes.view(scenes.whole(-32768, 32767));
+        auto lights = scenes.lights();
+        lights.lamp = {scenes.word(-32768, 32767), scenes.word(-32768, 32767),
+                       scenes.word(-32768, 32767)};
+        auto lanes = scenes.databases(0, 0);
+        for (VliwDatabase& lane : lanes) {
+            std::ranges::generate(lane, [&] { return scenes.garbage(); });
+        }
+        const VliwGeometryRun run(view, lights, lanes);
+        EXPECT_TRUE(run.reached_communication());
+        for (int lane = 0; lane < 5; ++lane) {
+            EXPECT_TRUE(run.kept_its_place(lane)) << "seed " << seed;
+        }
+    }
+}
+
+TEST(VliwGeometry, HidesWhatIsBehindTheViewerOffTheScreenOrHasNoArea) {
+    VliwPolygon point = front();
+    point.vertices[1] = point.vertices[0];
+    VliwPolygon line = front();
+    line.vertices[2] = vertex(0, -1000, 10000);
+    VliwPolygon beside = front();
+    VliwPolygon too_far = front();
+    for (std::size_t i = 0; i < 3; ++i) {
+        beside.vertices[i].place[0] = static_cast<std::int16_t>(beside.vertices[i].place[0] + 8200);
+        too_far.vertices[i].place[2] = 30000;
+    }
+    VliwView view;
+    view.matrix[11] = 3000;
+    const std::vector<VliwDatabase> lanes{{point, line, back(), beside, too_far, front(-10000),
+                                           front(1000), front(5000, 8001), front(8000)}};
+    const VliwGeometryRun run(view, {}, lanes);
+    const Tally tally = check(run, view, {}, lanes);
+    EXPECT_EQ(tally.visible, 1);
+    EXPECT_EQ(run.descriptors(0).size(), 1U);
+}
+
+// Between whole rows there is nothing to draw.
+TEST(VliwGeometry, HidesWhatContainsNoSample) {
+    VliwPolygon flat = front();
+    flat.vertices = {vertex(-1000, 2, 11200), vertex(1000, 2, 11200), vertex(1000, 9, 11200)};
+    VliwPolygon reaching = flat;
+    reaching.vertices[0].place[1] = -4;
+    const std::vector<VliwDatabase> lanes{{flat}, {reaching}};
+    const VliwGeometryRun run({}, {}, lanes);
+    EXPECT_EQ(run.descriptors(0).size(), 0U);
+    ASSERT_EQ(run.descriptors(1).size(), 1U);
+    EXPECT_EQ(run.descriptors(1)[0][2], 256);
+    EXPECT_EQ(run.descriptors(1)[0][3], 256);
+}
+
+TEST(VliwGeometry, EndsLightAt255) {
+    const VliwLights lights{.ambient = 200,
+                            .sun = {0, 0, -16384},
+                            .sun_diffuse = 255,
+                            .sun_specular = 255,
+                            .lamp = {0, 0, 0},
+                            .lamp_diffuse = 255,
+                            .lamp_specular = 255};
+    const VliwGeometryRun run({}, lights, {{front()}});
+    const VliwDescriptor descriptor = run.descriptors(0).at(0);
+    EXPECT_EQ(descriptor[26], 0);
+    EXPECT_EQ(descriptor[27], 0);
+    EXPECT_EQ(descriptor[28], 0x8000);
+    EXPECT_EQ(descriptor[29], 255);
+}
+
+TEST(VliwGeometry, LightsNothingFromBehindOrWithoutANormal) {
+    VliwLights lights{.ambient = 10,
+                      .sun = {0, 0, 16384},
+                      .sun_diffuse = 255,
+                      .sun_specular = 255,
+                      .lamp = {0, 0, 20000},
+                      .lamp_diffuse = 255,
+                      .lamp_specular = 255};
+    EXPECT_EQ(VliwGeometryRun({}, lights, {{front()}}).descriptors(0).at(0)[29], 10);
+    VliwPolygon dull = front();
+    for (VliwVertex& corner : dull.vertices) {
+        corner.normal = {0, 0, 0};
+    }
+    EXPECT_EQ(VliwGeometryRun({}, lights, {{dull}}).descriptors(0).at(0)[29], 10);
+    lights.sun[2] = -16384;
+    lights.lamp[2] = 0;
+    EXPECT_EQ(VliwGeometryRun({}, lights, {{dull}}).descriptors(0).at(0)[29], 10);
+}
+
+TEST(VliwGeometry, HasNothingToSendWithoutPolygons) {
+    const VliwGeometryRun run({}, {}, {{}, {}});
+    EXPECT_TRUE(run.reached_communication());
+    EXPECT_TRUE(run.descriptors(0).empty());
+    EXPECT_TRUE(run.descriptors(1).empty());
+}
+
+TEST(VliwGeometry, FillsItsArrayToTheLastPlace) {
+    const std::vector<VliwDatabase> lanes{{front(), front(), back()}, {back(), front(), front()}};
+    const VliwGeometryRun run({}, {}, lanes, {.room = 2});
+    check(run, {}, {}, lanes);
+}
+
+TEST(VliwGeometry, HaltsWithAnErrorWhereTheArrayIsFull) {
+    const std::vector<VliwDatabase> lanes{{front(), back()}, {front(), front(), front()}, {}};
+    for (const int room : {0, 1, 2}) {
+        const VliwGeometryRun run({}, {}, lanes, {.room = room});
+        EXPECT_FALSE(run.reached_communication());
+        EXPECT_EQ(run.error(0), room == 0 ? 1 : 0);
+        EXPECT_EQ(run.error(1), 1);
+        EXPECT_EQ(run.error(2), 0);
+        for (int lane = 0; lane < 3; ++lane) {
+            EXPECT_TRUE(run.kept_its_place(lane));
+        }
+    }
+}
+
+TEST(VliwGeometry, ComputesTheSamePackedAndUnpacked) {
+    for (unsigned seed = 400; seed < 404; ++seed) {
+        VliwScenes scenes(seed);
+        const auto view = scenes.view(scenes.whole(6000, 20000));
+        const auto lights = scenes.lights();
+        const auto lanes = scenes.databases(3000, 1000);
+        const VliwGeometryRun packed(view, lights, lanes);
+        const VliwGeometryRun unpacked(view, lights, lanes, {.packed = false});
+        for (int lane = 0; lane < 5; ++lane) {
+            EXPECT_EQ(packed.descriptors(lane), unpacked.descriptors(lane)) << "seed " << seed;
+        }
+    }
+}
+
+TEST(VliwGeometry, LeavesTextureCoordinatesOutWhereNobodyWantsThem) {
+    VliwScenes scenes(500);
+    const auto view = scenes.view(16000);
+    const auto lights = scenes.lights();
+    const auto lanes = scenes.databases(3000, 1000);
+    const VliwGeometryRun textured(view, lights, lanes);
+    const VliwGeometryRun shaded(view, lights, lanes, {.textured = false});
+    check(shaded, view, lights, lanes, false);
+    for (int lane = 0; lane < 5; ++lane) {
+        auto with = textured.descriptors(lane);
+        auto without = shaded.descriptors(lane);
+        for (auto* descriptors : {&with, &without}) {
+            for (VliwDescriptor& descriptor : *descriptors) {
+                descriptor.resize(30);
+            }
+        }
+        EXPECT_EQ(with, without);
+    }
 }
 
 }  // namespace
