@@ -1,5 +1,5 @@
 ; SPDX-License-Identifier: MIT
-; Geometry, second stage, part 2: makes a candidate a descriptor. Edges are exact. A parameter with the values p at the vertices has, per
+; Geometry, second stage, part 2: makes a candidate (r30) a descriptor; follows light within the same procedure. Edges are exact. A parameter with the values p at the vertices has, per
 ; pixel, the slope 2^4 (p0 e12 + p1 e20 + p2 e01) / area along x, e the edges' A; along y their B (Eldridge 1995, figure 3-9). The sums
 ; are exact in 32 bits, the area's reciprocal is taken once, in 16 bits. Where the area is less than half a pixel or a slope has no room
 ; in its words both are 0. C is such that p is right at vertex 0.

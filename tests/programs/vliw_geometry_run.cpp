@@ -159,7 +159,7 @@ void VliwGeometryRun::load_lane(int lane, const VliwView& view, const VliwLights
 }
 
 std::string VliwGeometryRun::procedure_name() const {
-    for (const char* name : {"geometry", "transform", "light", "planes", "communicate"}) {
+    for (const char* name : {"geometry", "transform", "light", "communicate"}) {
         if (image_.symbol(name) == machine_.procedure()) {
             return name;
         }
@@ -182,6 +182,11 @@ void VliwGeometryRun::run() {
         if (stop.reason == Reason::halt) {
             reached_communication_ = name == "communicate";
             return;
+        }
+        if (name == "geometry" && options_.next_view) {
+            for (int lane = 0; lane < machine_.lanes(); ++lane) {
+                poke(lane, symbol("matrix"), as_words(options_.next_view->matrix));
+            }
         }
         if (stop.reason != Reason::line) {
             throw std::runtime_error(

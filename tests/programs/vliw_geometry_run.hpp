@@ -51,7 +51,8 @@ using VliwDescriptor = std::vector<std::uint16_t>;  // 42 words
 struct VliwGeometryOptions {
     bool textured = true;
     bool packed = true;
-    int room = 64;  // descriptors that a lane's array holds
+    int room = 64;                        // descriptors that a lane's array holds
+    std::optional<VliwView> next_view{};  // its matrix comes as soon as the stage is at work
 };
 
 class VliwGeometryRun {

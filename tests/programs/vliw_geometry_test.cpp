@@ -5,6 +5,9 @@
 #include "programs/vliw_scenes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -172,6 +175,20 @@ TEST(VliwGeometry, HidesWhatIsBehindTheViewerOffTheScreenOrHasNoArea) {
     EXPECT_EQ(run.descriptors(0).size(), 1U);
 }
 
+// 45 degrees about x: z' is 72 254 or so, 6718 if it wrapped.
+TEST(VliwGeometry, HidesWhatIsFartherThanAWordHolds) {
+    VliwView view;
+    view.matrix = {1 << 14, 0, 0, 0, 11585, -11585, 0, 11585, 11585, 0, 0, 27000};
+    VliwPolygon far = front();
+    for (VliwVertex& corner : far.vertices) {
+        const int up = corner.place[1];
+        corner = vertex(corner.place[0], 31000 + up, 31000 - up);
+    }
+    EXPECT_TRUE(VliwGeometryRun(view, {}, {{far}}).descriptors(0).empty());
+    view.matrix[11] = -30000;
+    EXPECT_EQ(VliwGeometryRun(view, {}, {{far}}).descriptors(0).size(), 1U);
+}
+
 // Between whole rows there is nothing to draw.
 TEST(VliwGeometry, HidesWhatContainsNoSample) {
     VliwPolygon flat = front();
@@ -200,6 +217,45 @@ TEST(VliwGeometry, EndsLightAt255) {
     EXPECT_EQ(descriptor[27], 0);
     EXPECT_EQ(descriptor[28], 0x8000);
     EXPECT_EQ(descriptor[29], 255);
+}
+
+// By normals and a sun for which words are enough, intensities are exact: k / 16.
+TEST(VliwGeometry, RoundsTheSlopesOfIntensity) {
+    VliwScenes scenes(600);
+    for (int i = 0; i < 50; ++i) {
+        VliwPolygon polygon = front(16000, scenes.whole(300, 4000));
+        std::array<double, 3> intensity{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int sixteenths = scenes.whole(0, 2000);
+            intensity[k] = sixteenths / 16.0;
+            polygon.vertices[k].normal = {0, 0, static_cast<std::int16_t>(-8 * sixteenths)};
+        }
+        const VliwGeometryRun run({}, {.sun = {0, 0, -16384}, .sun_diffuse = 128}, {{polygon}});
+        const VliwDescriptor descriptor = run.descriptors(0).at(0);
+        const auto number = [&](std::size_t at) {
+            return static_cast<double>(static_cast<std::int16_t>(descriptor[at]));
+        };
+        const double area = number(8) * number(17) - number(9) * number(16);
+        for (const std::size_t axis : {0U, 1U}) {
+            const double sum = intensity[0] * number(12 + axis) + intensity[1] * number(16 + axis) +
+                               intensity[2] * number(8 + axis);
+            const double slope = 256 * 16 * sum / area;
+            EXPECT_NEAR(number(26 + axis), slope, 0.5 + std::abs(slope) / 16384 + 1e-3);
+        }
+    }
+}
+
+TEST(VliwGeometry, GoesByTheMatrixThatItBeganWith) {
+    VliwScenes scenes(700);
+    const auto view = scenes.view(16000);
+    const auto lights = scenes.lights();
+    const auto lanes = scenes.databases(3000, 1000);
+    const auto next = scenes.view(10000);
+    const VliwGeometryRun undisturbed(view, lights, lanes);
+    const VliwGeometryRun disturbed(view, lights, lanes, {.next_view = next});
+    for (int lane = 0; lane < 5; ++lane) {
+        EXPECT_EQ(undisturbed.descriptors(lane), disturbed.descriptors(lane));
+    }
 }
 
 TEST(VliwGeometry, LightsNothingFromBehindOrWithoutANormal) {
