@@ -219,7 +219,7 @@ RC_GTEST_PROP(VliwArithmetic, NormalisesNumbersAndTakesTheirReciprocals, ()) {
     lanes.run();
     for (std::size_t lane = 0; lane < numbers.size(); ++lane) {
         const std::uint32_t normal = lanes.long_word(lane, 1);
-        RC_ASSERT(normal >> 30 == 1U);
+        RC_ASSERT((normal >> 30) == 1U);
         RC_ASSERT(normal == numbers[lane] << lanes.word(lane, 5));
         const double exact = std::exp2(46) / normal;
         RC_ASSERT(lanes.word(lane, 6) <= exact);
