@@ -26,7 +26,7 @@ link_next   = other_scratch+5       ; next of the lane's own to be prepared
 
 kPassOverhead = 30                  ; cycles of a pass beside its words, at most
 kPassCycles = 820                   ; for passes on a scanline
-kPreparations = 20                  ; descriptors prepared on a scanline
+kPreparations = 25                  ; descriptors prepared on a scanline
 
 reach = 1
 log2_stride = 0

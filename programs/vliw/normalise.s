@@ -6,9 +6,9 @@
 normal_next = other_scratch+6       ; next descriptor to be normalised
 
         .if ne textured
-kNormalised = 5                     ; on a scanline
+kNormalised = 8                     ; on a scanline
         .else
-kNormalised = 7
+kNormalised = 11
         .endc
 
 ; hi:lo += a by, with a a word; p and q to work with.

@@ -14,9 +14,9 @@ raster_at   = other_scratch+8       ; 19 words
         .error  samples must be even
         .endc
         .if ne textured
-kRounds     = 1
-        .else
 kRounds     = 2
+        .else
+kRounds     = 3
         .endc
 
 ; A lane's place in its descriptor: the equations' values at the present row, upper and lower words.
