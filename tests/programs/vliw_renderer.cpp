@@ -18,7 +18,7 @@ using isa::vliw::Interpreter;
 using isa::vliw::Program;
 
 constexpr std::int64_t kScanlineCycles = 910;
-constexpr std::int64_t kStopsAtMost = 1'000'000;
+constexpr std::int64_t kScanlinesAtMost = 1'000'000;
 constexpr std::int64_t kBundlesAtOnce = 1'000'000;
 
 isa::Image assembled(std::span<const std::string_view> files, std::string_view stubs,
@@ -63,30 +63,38 @@ VliwRenderer::VliwRenderer(const isa::Image& image, std::int64_t lanes)
 }
 
 bool VliwRenderer::run() {
-    for (std::int64_t stops = 0; stops < kStopsAtMost; ++stops) {
+    for (std::int64_t lines = 0; lines < kScanlinesAtMost; ++lines) {
+        if (const Ended ended = run_scanline(); ended != Ended::line) {
+            return ended == Ended::halt;
+        }
+    }
+    throw std::runtime_error("the program does not end");
+}
+
+Ended VliwRenderer::run_scanline() {
+    for (;;) {
         const std::int64_t before = machine_.bundles_executed();
         const Interpreter::Stop stop = machine_.run(kBundlesAtOnce);
         bundles_.at(static_cast<std::size_t>(phase_)) += machine_.bundles_executed() - before;
         cycles_ += stop.cycles;
         switch (stop.reason) {
             case Interpreter::Reason::halt:
-                return true;
+                return Ended::halt;
             case Interpreter::Reason::frame:
-                return false;
+                return Ended::frame;
             case Interpreter::Reason::line:
                 end_scanline();
-                break;
+                return Ended::line;
             case Interpreter::Reason::phase:
                 phase_ = stop.phase;
                 break;
             case Interpreter::Reason::trap:
                 throw std::runtime_error(stop.trap);
             case Interpreter::Reason::budget:
-                throw std::runtime_error(
-                    fmt::format("no scanline ends, at bundle {}", machine_.program_counter()));
+                throw std::runtime_error(fmt::format("a procedure does not end, at bundle {}",
+                                                     machine_.program_counter()));
         }
     }
-    throw std::runtime_error("the program does not end");
 }
 
 void VliwRenderer::end_scanline() {

@@ -23,6 +23,7 @@ using Words = std::vector<std::uint16_t>;
 constexpr int kDescriptorWords = 42;
 using Descriptor = std::array<std::uint16_t, kDescriptorWords>;
 
+enum class Ended : std::uint8_t { line, halt, frame };
 enum class Form : std::uint8_t { as_written, packed };
 
 // What stands between two labels, executed once.
@@ -40,9 +41,11 @@ class VliwRenderer {
                  std::string_view first, const Defines& defines, std::int64_t lanes,
                  Form form = Form::packed);
 
-    // To the next halt (true) or frame (false). Throws for a trap, an endless run, and on a
-    // line-locked machine for a scanline of more than 910 cycles, which only packed programs keep
-    // to.
+    // To the end of the scanline, or a halt or frame before it. Throws for a trap, a procedure that
+    // does not end, and on a line-locked machine for a scanline of more than 910 cycles, which only
+    // packed programs keep to.
+    Ended run_scanline();
+    // To the next halt (true) or frame (false). Throws, too, if none comes.
     bool run();
 
     std::uint16_t symbol(std::string_view name) const;
