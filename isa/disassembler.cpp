@@ -64,7 +64,9 @@ std::vector<DisassembledLine> disassemble(const Dialect& dialect,
 std::string disassemble(const Dialect& dialect, const Image& image) {
     std::multimap<std::uint32_t, std::string_view> names;
     for (const auto& [name, value] : image.symbols) {
-        names.emplace(value, name);
+        if (image.labels.empty() || image.labels.contains(name)) {
+            names.emplace(value, name);
+        }
     }
     const int radix = dialect.syntax->default_radix();
     std::string text;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +75,12 @@ class PreparedProgram {
     virtual ~PreparedProgram() = default;
 };
 
+// A program that does the same in fewer instruction words.
+struct PackedImage {
+    Image image;
+    std::string report;  // for people: what was packed how well, a table
+};
+
 class Isa {
   public:
     virtual ~Isa() = default;
@@ -96,6 +103,9 @@ class Isa {
     // this ISA's prepare.
     virtual std::unique_ptr<Core> make_core(std::shared_ptr<const PreparedProgram> program,
                                             const CoreOptions& options) const = 0;
+    // Empty for an ISA whose instructions cannot be packed. Throws std::invalid_argument for an
+    // image that prepare would refuse.
+    virtual std::optional<PackedImage> pack(const Image& /*image*/) const { return std::nullopt; }
     // Cost of the instruction at the start of `words`, for listings. Empty for a word that is no
     // instruction.
     virtual std::optional<InstructionCost> cost_of(std::span<const std::uint16_t> words,

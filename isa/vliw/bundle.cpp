@@ -87,7 +87,7 @@ std::optional<Bundle> decode(std::span<const std::uint16_t, kWordsPerBundle> w) 
                   small(w[6], 1, 5), w[7]};
     bundle.comm = {static_cast<CommOp>(bits(w[8], 12, 4)), small(w[0], 0, 5),
                    static_cast<std::uint16_t>(bits(w[8], 0, 10))};
-    return bundle;
+    return bundle == without_unused_fields(bundle) ? std::optional(bundle) : std::nullopt;
 }
 
 std::uint32_t registers_read(const Bundle& bundle) {

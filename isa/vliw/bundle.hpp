@@ -186,8 +186,8 @@ struct Bundle {
 using BundleWords = std::array<std::uint16_t, kWordsPerBundle>;
 
 BundleWords encode(const Bundle& bundle);
-// Empty for words that are no bundle: an operation that does not exist, a field that must be zero
-// and is not.
+// Empty for words that are no bundle: an operation that does not exist, a bit that is not zero and
+// that no operation of the bundle uses.
 std::optional<Bundle> decode(std::span<const std::uint16_t, kWordsPerBundle> words);
 
 // Bit r: register r is read, written. r0 is in neither.

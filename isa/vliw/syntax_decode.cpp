@@ -73,15 +73,15 @@ DecodedText as_data(std::span<const std::uint16_t> words) {
 
 }  // namespace
 
-// What would not be assembled to the same words is data: words that are no bundle, fields that
-// nothing uses, bundles that cannot be executed.
+// What the assembler would refuse is data: words that are no bundle, bundles that cannot be
+// executed.
 DecodedText decode_instruction(std::span<const std::uint16_t> words) {
     if (words.size() < kWordsPerBundle) {
         return as_data(words.first(1));
     }
     const auto nine = words.first<kWordsPerBundle>();
     const auto bundle = decode(nine);
-    if (!bundle || conflict(*bundle) || without_unused_fields(*bundle) != *bundle) {
+    if (!bundle || conflict(*bundle)) {
         return as_data(nine);
     }
     std::vector<std::string> operations;

@@ -2,12 +2,17 @@
 #include "isa/vliw/vliw.hpp"
 
 #include "isa/cost_choice.hpp"
+#include "isa/vliw/core.hpp"
 #include "isa/vliw/instruction_table.hpp"
 #include "isa/vliw/program.hpp"
+#include "isa/vliw/scheduler.hpp"
 #include "isa/vliw/syntax.hpp"
 
 #include <array>
 #include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace rasterloom::isa::vliw {
 namespace {
@@ -27,7 +32,7 @@ class Vliw final : public Isa {
     int word_bits() const override { return 16; }
     int address_bits() const override { return 16; }
     int address_unit() const override { return kBytesPerBundle; }
-    std::uint32_t private_bytes() const override { return 2U * kBankWords * (1 + kSlowBanks); }
+    std::uint32_t private_bytes() const override { return kMemoryBytes; }
     std::span<const std::string_view> register_names() const override { return kRegisterNames; }
     std::span<const InstructionRow> instructions() const override { return instruction_table(); }
     std::span<const CostModelInfo> cost_models() const override { return cost_models_; }
@@ -39,9 +44,22 @@ class Vliw final : public Isa {
         return std::make_shared<const Program>(image);
     }
 
-    std::unique_ptr<Core> make_core(std::shared_ptr<const PreparedProgram>,
-                                    const CoreOptions&) const override {
-        throw std::invalid_argument("the vliw's lanes run in a lock-step array only");
+    std::unique_ptr<Core> make_core(std::shared_ptr<const PreparedProgram> program,
+                                    const CoreOptions& options) const override {
+        auto ours = std::dynamic_pointer_cast<const Program>(std::move(program));
+        if (ours == nullptr) {
+            throw std::invalid_argument("the program was not prepared for a vliw");
+        }
+        if (options.memory_bytes != 0 && options.memory_bytes != kMemoryBytes) {
+            throw std::invalid_argument(fmt::format("a lane has {} bytes of memory, not {}",
+                                                    kMemoryBytes, options.memory_bytes));
+        }
+        return std::make_unique<LaneCore>(std::move(ours));
+    }
+
+    std::optional<PackedImage> pack(const Image& image) const override {
+        Packed packed = vliw::pack(image);
+        return PackedImage{std::move(packed.image), to_string(packed.parts)};
     }
 
     std::optional<InstructionCost> cost_of(std::span<const std::uint16_t> words,
@@ -51,7 +69,9 @@ class Vliw final : public Isa {
             return std::nullopt;
         }
         const auto bundle = decode(words.first<kWordsPerBundle>());
-        return bundle ? std::optional(InstructionCost{1, cycles_of(*bundle) - 1}) : std::nullopt;
+        return bundle && !conflict(*bundle)
+                   ? std::optional(InstructionCost{1, cycles_of(*bundle) - 1})
+                   : std::nullopt;
     }
 
   private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rasterloom assemble: a program's raw image, its listing, or only its errors.
 #include "isa/assembler.hpp"
+#include "isa/disassembler.hpp"
 #include "isa/image_files.hpp"
 #include "isa/listing.hpp"
 #include "machine/cli/command.hpp"
@@ -25,6 +26,7 @@ struct AssembleOptions {
     std::string source;
     std::string output;
     bool listing = false;
+    bool pack = false;
     std::string isa = "pdp11";
     std::string plugin;
     std::string cost;
@@ -70,6 +72,20 @@ std::string listing_of(const isa::Assembly& assembly, const isa::Isa& isa,
     }
 }
 
+// The image packed; its disassembly, where a listing is asked for, and the report.
+isa::Image packed_image(const isa::Image& image, const isa::Isa& isa, bool listing) {
+    auto packed = isa.pack(image);
+    if (!packed) {
+        refuse_option("--pack", std::string(isa.name()), "its instructions cannot be packed");
+    }
+    if (listing) {
+        fmt::print("{}\n{}", isa::disassemble(isa::dialect_of(isa), packed->image), packed->report);
+    } else {
+        fmt::print(stderr, "{}", packed->report);
+    }
+    return std::move(packed->image);
+}
+
 void assemble(const AssembleOptions& options, const Session& session) {
     isa::IsaRegistry registry = emulation::built_in_isas();
     const isa::Isa& isa = choose_isa(registry, options);
@@ -79,16 +95,20 @@ void assemble(const AssembleOptions& options, const Session& session) {
     const std::filesystem::path path = source && !std::filesystem::exists(options.source)
                                            ? *source
                                            : std::filesystem::path(options.source);
-    const isa::Assembly assembly = isa::assemble_file(isa, path, assembler_options(options));
+    isa::Assembly assembly = isa::assemble_file(isa, path, assembler_options(options));
     if (!assembly.ok()) {
         throw isa::AssemblyError(assembly.diagnostics);
     }
-    if (options.listing) {
+    if (options.pack) {
+        assembly.image = packed_image(assembly.image, isa, options.listing);
+    } else if (options.listing) {
         fmt::print("{}", listing_of(assembly, isa, options.cost));
     }
     const std::vector<std::uint8_t> bytes = isa::raw_bytes(assembly.image);
-    const std::uint32_t lowest =
-        assembly.image.segments.empty() ? 0 : assembly.image.segments.front().address;
+    const std::uint32_t lowest = assembly.image.segments.empty()
+                                     ? 0
+                                     : assembly.image.segments.front().address /
+                                           static_cast<std::uint32_t>(isa.address_unit());
     if (!options.output.empty()) {
         observe::write_file_whole(options.output,
                                   {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -115,6 +135,9 @@ void add_assemble_command(CLI::App& app, Session& session) {
         ->type_name("FILE");
     command->add_flag("--listing", options->listing,
                       "Print address, words, fetch and data cycles, source");
+    command->add_flag("--pack", options->pack,
+                      "Pack straight-line code into fewer instruction words, and report how far; "
+                      "--listing shows the result");
     command->add_option("--cost", options->cost,
                         "Cost model of the listing (rasterloom list isas)");
     command->add_option("--isa", options->isa, "Instruction set")->capture_default_str();

@@ -57,6 +57,9 @@ isa::Image assemble(const isa::Isa& isa, const MachineDescription& machine) {
                                 "a symbol that it tests with .if or .ifndf");
         }
     }
+    if (auto packed = isa.pack(assembly.image)) {
+        return std::move(packed->image);
+    }
     return std::move(assembly.image);
 }
 

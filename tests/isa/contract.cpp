@@ -2,6 +2,7 @@
 #include "tests/isa/contract.hpp"
 
 #include "isa/pdp11/pdp11.hpp"
+#include "isa/vliw/vliw.hpp"
 
 #include <filesystem>
 
@@ -58,9 +59,27 @@ Subject toy() {
     return subject;
 }
 
+// A lane by itself: no interrupt, no wait, no I/O page, and its program outside of its memory.
+Subject vliw() {
+    Subject subject;
+    subject.name = "vliw";
+    subject.straight =
+        "start: setc c0, 20\n mov r2, #0x100\nloop: add r1, r1, #3 | mul r3, r1, r1, 4\n"
+        " st r1, (r2) | add r2, r2, #1\n sts r3, 2, 0x50(r2)\n lds r4, 2, 0x4f(r2)\n call double\n"
+        " put r4\n right 5\n get r5 | dec c0, loop\n cast | halt\n"
+        "double: adds r4, r4, r4\n tltu r4, r1\n slt\n mov r6, r4\n wake | ret\n";
+    subject.endless = "loop: add r1, r1, #1\npatch: add r2, r2, r1\n lds r3, 0, 7\n jump loop\n";
+    subject.halt = " halt\n";
+    subject.reserved = " nop\n";
+    subject.code_in_memory = false;
+    subject.constants = {"r0"};
+    return subject;
+}
+
 IsaRegistry make_registry() {
     IsaRegistry registry;
     registry.add(pdp11::pdp11_isa());
+    registry.add(vliw::vliw_isa());
     registry.load(std::filesystem::path(RASTERLOOM_BINARY_DIR) / "librasterloom_toy.so");
     return registry;
 }
@@ -72,7 +91,7 @@ std::ostream& operator<<(std::ostream& stream, const Subject& subject) {
 }
 
 std::vector<Subject> subjects() {
-    return {pdp11(), toy()};
+    return {pdp11(), vliw(), toy()};
 }
 
 const Isa& isa_of(const Subject& subject) {

@@ -9,6 +9,7 @@
 #include "isa/isa.hpp"
 #include "isa/registry.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -31,15 +32,18 @@ struct Subject {
     std::string straight;  // arithmetic, memory and a loop; ends with a halt
     std::string endless;   // a loop of private instructions; its symbol "patch" is in it
     std::string halt;      // one instruction
-    std::string wait;      // one instruction, then a halt
-    std::string reserved;  // data that is no instruction
-    std::string
-        store;  // moves something to the first I/O address, then the pointer goes on; then a halt
+    std::string wait;      // one instruction, then a halt; empty: there is none
+    std::string reserved;  // an instruction, then what is none
+    std::string store;  // moves something to the first I/O address, then the pointer goes on; then
+                        // a halt; empty, as the next: there is no I/O page
     std::string load;       // moves something from there, then the pointer goes on; then a halt
-    std::string interrupt;  // allows interrupts and loops; the handler halts at "handler"
+    std::string interrupt;  // allows interrupts and loops; the handler halts at "handler"; empty:
+                            // there are none
     int level = 0;          // of the interrupt
     std::uint32_t vector = 0;
     std::vector<AllowedOverlap> overlaps;
+    bool code_in_memory = true;          // the program stands in the core's private memory
+    std::vector<std::string> constants;  // registers that are what they are
 };
 
 std::ostream& operator<<(std::ostream& stream, const Subject& subject);
@@ -83,6 +87,18 @@ class AnsweringBus final : public Bus {
 class Contract : public ::testing::TestWithParam<Subject> {
   protected:
     const Isa& isa() const { return isa_of(GetParam()); }
+    // From one instruction to the nearest place where another can begin.
+    std::uint32_t step_of_addresses() const {
+        return static_cast<std::uint32_t>(
+            std::max(isa().word_bits() / 8 / isa().address_unit(), 1));
+    }
+    // Whether one address holds several words, whose slots its rows belong to.
+    bool wide() const { return isa().address_unit() > isa().word_bits() / 8; }
 };
+
+// For tests of what not every instruction set has.
+#define SKIP_WITHOUT(what, reason) \
+    if (!(what))                   \
+    GTEST_SKIP() << GetParam().name << " has no " << (reason)
 
 }  // namespace rasterloom::isa::testing

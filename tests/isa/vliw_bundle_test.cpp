@@ -66,8 +66,17 @@ TEST(Bundle, WithAnOperationThatDoesNotExistIsRefused) {
     }
 }
 
-TEST(Bundle, WithABitSetThatMustBeZeroIsRefused) {
-    for (const auto& [word, bit] : {std::pair{3, 0}, {4, 0}, {6, 0}, {8, 10}, {8, 11}}) {
+TEST(Bundle, WithABitSetThatNothingUsesIsRefused) {
+    for (const auto& [word, bit] : {std::pair{0, 10},
+                                    {1, 3},
+                                    {2, 0},
+                                    {3, 0},
+                                    {4, 0},
+                                    {5, 15},
+                                    {6, 0},
+                                    {7, 1},
+                                    {8, 9},
+                                    {8, 11}}) {
         BundleWords words{};
         words[static_cast<std::size_t>(word)] = static_cast<std::uint16_t>(1U << bit);
         EXPECT_FALSE(decode(words)) << "word " << word << ", bit " << bit;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bundle there is, with its fields in their ranges; whether the hardware can execute it is for
-// conflict() to say.
+// Any bundle there is; whether the hardware can execute it is for conflict() to say.
 #pragma once
 
 #include "isa/vliw/bundle.hpp"
@@ -33,7 +32,7 @@ inline rc::Gen<Bundle> any_bundle() {
         bundle.comm = {below<CommOp>(kCommOps), reg(), below<std::uint16_t>(kMaxShift + 1)};
         bundle.sleep = below<SleepOp>(kSleepOps);
         bundle.immediate = word();
-        return bundle;
+        return without_unused_fields(bundle);
     });
 }
 

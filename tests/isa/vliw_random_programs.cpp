@@ -41,7 +41,9 @@ class Generator {
             emit_sequencer(SeqOp::ret);
         }
         subroutines();
-        result.bundles = std::move(bundles_);
+        for (const Bundle& bundle : bundles_) {
+            result.bundles.push_back(without_unused_fields(bundle));
+        }
         return result;
     }
 
@@ -180,7 +182,7 @@ class Generator {
                 bundle = before;
             }
         }
-        return without_unused_fields(bundle);
+        return bundle;
     }
 
     void add_operation(Bundle& bundle) {
