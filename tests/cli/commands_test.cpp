@@ -104,6 +104,18 @@ TEST_F(Commands, AssembleListsAddressesWordsAndCycles) {
     EXPECT_THAT(listing.out, HasSubstr("012700 000005"));
 }
 
+TEST_F(Commands, AssemblePacksBundlesAndReportsHowFar) {
+    const Finished packed =
+        rasterloom({"assemble", program("bundles.s"), "--isa", "vliw", "--pack", "--listing"});
+    EXPECT_EQ(packed.status, 0) << packed.err;
+    EXPECT_THAT(packed.out, HasSubstr("mov r1, #0x3 | ld r2, 0x64\n"));
+    EXPECT_THAT(packed.out, HasSubstr("start                              5         5         2"));
+    const Finished image =
+        rasterloom({"assemble", program("bundles.s"), "--isa", "vliw", "--pack", "-o", "x.bin"});
+    EXPECT_THAT(image.out, HasSubstr("36 bytes"));
+    EXPECT_THAT(image.err, HasSubstr("start "));
+}
+
 TEST_F(Commands, DescribeMeasuresTheGraph) {
     const Finished described = rasterloom({"describe", "geodesic482.yaml"});
     EXPECT_EQ(described.status, 0) << described.err;
