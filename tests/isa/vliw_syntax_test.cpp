@@ -7,7 +7,9 @@
 #include "tests/isa/vliw_assembling.hpp"
 #include "tests/isa/vliw_bundles.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <random>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -187,6 +189,30 @@ TEST(VliwSyntax, DisassemblyOfAnyBundleAssemblesToTheSameWords) {
                       std::vector<std::uint16_t>(words.begin(), words.end()));
         });
         EXPECT_TRUE(held);
+    }
+}
+
+TEST(VliwSyntax, AnySequenceOfItsOwnWordsIsAssembledOrRefused) {
+    const std::vector<std::string> pieces = {
+        "r1", "r31", "c2", "%5", ",", ",",     "#", "(",   ")",  "<",    ">",    "|",  "|",
+        "|",  "\n",  "\n", " ",  "x", "x:",    "=", "5",   "-1", "1023", "0xff", "'",  "\"",
+        ";",  ".",   "~",  "!",  "+", ".word", "r", "mov", "ld", "1$",   "jump", "^C", "70000"};
+    std::mt19937 random(1995);
+    const auto rows = instruction_table();
+    for (int round = 0; round < rounds(20000); ++round) {
+        std::string source;
+        for (auto length = random() % 30; length > 0; --length) {
+            source += random() % 4 == 0 ? std::string(rows[random() % rows.size()].mnemonic)
+                                        : pieces[random() % pieces.size()];
+            source += random() % 2 == 0 ? " " : "";
+        }
+        const Assembly assembly = testing::assemble(source);
+        const auto lines = std::count(source.begin(), source.end(), '\n') + 1;
+        for (const Diagnostic& diagnostic : assembly.diagnostics) {
+            ASSERT_LE(diagnostic.where.line, lines) << source;
+            ASSERT_GE(diagnostic.where.column, 1) << source;
+            ASSERT_FALSE(diagnostic.message.empty()) << source;
+        }
     }
 }
 
