@@ -70,6 +70,9 @@ std::uint64_t awake_after(Code code, const LaneBlock& block, std::size_t word) {
 }
 
 void change_sleep(LaneBlock& block, Code code, std::int64_t now, const Kernels& kernels) {
+    if (block.lines->open.id != 0) {
+        kernels.full[kCloseLine](block, {});  // its lanes are those awake until now
+    }
     count_awake(block, now, kernels);
     bool all = true;
     bool any = false;
@@ -115,6 +118,11 @@ void run_pieces(LaneBlock& block, std::span<const Piece> pieces, const Translati
         block.ring_place = (piece.ring_offset + block.index * block.width) % ring;
         run_piece(block, piece, translation, kernels);
     }
+}
+
+void end_run(LaneBlock& block, const Kernels& kernels) {
+    kernels.full[kCloseLine](block, {});
+    block.lines->forget_all();
 }
 
 std::int64_t awake_cycles(const LaneBlock& block, std::size_t lane, std::int64_t now) {

@@ -23,6 +23,9 @@ struct Piece {
 void run_pieces(LaneBlock& block, std::span<const Piece> pieces, const Translation& translation,
                 const Kernels& kernels);
 
+// Leaves nothing of lane memory in the block's lines: others may look into it and change it.
+void end_run(LaneBlock& block, const Kernels& kernels);
+
 // Cycles up to `now` during which the lane was awake.
 std::int64_t awake_cycles(const LaneBlock& block, std::size_t lane, std::int64_t now);
 

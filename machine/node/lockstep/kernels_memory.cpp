@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "machine/node/lockstep/vectors-inl.hpp"
+#include "machine/node/lockstep/lines-inl.hpp"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -154,50 +155,145 @@ HWY_INLINE void each_word(LaneBlock& block, std::uint32_t bank, const Addresses&
 
 template <bool kMasked>
 void load_fixed(LaneBlock& block, const MicroOperation& op) {
+    close_line_over(block, op.where / isa::vliw::kBankWords * isa::vliw::kBankWords,
+                    op.where % isa::vliw::kBankWords, op.where % isa::vliw::kBankWords);
     load_at<kMasked>(block, block.rows + op.dst, op.where);
 }
+
+// Before a store that passes the lines by.
+HWY_INLINE void leave_lines(LaneBlock& block, std::uint32_t bank, std::uint32_t from,
+                            std::uint32_t to) {
+    close_line_over(block, bank, from, to);
+    forget_lines_over(block, bank, from, to);
+}
+
 template <bool kMasked>
 void store_fixed(LaneBlock& block, const MicroOperation& op) {
+    leave_lines(block, op.where / isa::vliw::kBankWords * isa::vliw::kBankWords,
+                op.where % isa::vliw::kBankWords, op.where % isa::vliw::kBankWords);
     store_at<kMasked>(block, block.rows + op.b, op.where);
+}
+
+// Whether the line holds what all lanes that are awake want.
+HWY_INLINE bool serves(const Line& line, const LaneBlock& block) {
+    std::uint64_t missing = 0;
+    for (std::size_t word = 0; word < block.bit_words(); ++word) {
+        missing |= block.awake[word] & ~line.lanes[word];
+    }
+    return missing == 0;
+}
+
+template <bool kMasked>
+HWY_INLINE void load_from(LaneBlock& block, const MicroOperation& op, const Line& line) {
+    const std::uint16_t* const row = line.rows + op.immediate % kLineWords * block.width;
+    each_vector<kMasked>(block, block.rows + op.dst, [row](std::size_t lane) HWY_ATTR {
+        return hn::Load(Words(), row + lane);
+    });
 }
 
 template <bool kMasked>
 void load(LaneBlock& block, const MicroOperation& op) {
+    LaneLines& lines = *block.lines;
+    if (const std::size_t place = lines.place[op.detail]; place != 0) {
+        if (serves(lines.lines[place - 1], block)) {
+            load_from<kMasked>(block, op, lines.lines[place - 1]);
+            return;
+        }
+        lines.forget(place - 1);
+    }
     const std::uint16_t* const base = block.rows + op.a;
     const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
     const auto address = static_cast<std::uint16_t>(value + op.immediate);
     if (is_uniform<kMasked>(block, base, value)) {
+        close_line_over(block, op.where, address, address);
         load_at<kMasked>(block, block.rows + op.dst, op.where + address);
         return;
     }
+    if (op.detail != 0) {
+        const auto start = static_cast<std::uint16_t>(value + line_offset(op.immediate));
+        if (const Line* const line = fetch_line(block, op, start)) {
+            load_from<kMasked>(block, op, *line);
+            return;
+        }
+    }
     Addresses addresses;
     find_addresses<kMasked>(block, op, address, addresses);
+    close_line_over(block, op.where, addresses.least, addresses.most);
     std::uint16_t* const dst = block.rows + op.dst;
     each_word<kMasked>(block, op.where, addresses,
                        [dst](std::size_t lane, std::uint16_t word) HWY_ATTR { dst[lane] = word; });
 }
 
 template <bool kMasked>
+HWY_INLINE void store_into_open_line(LaneBlock& block, const MicroOperation& op) {
+    const std::size_t word = op.immediate % kLineWords;
+    std::copy_n(block.rows + op.b, block.width, block.lines->open.rows + word * block.width);
+    block.lines->dirty |= 1U << word;
+    change_lines<kMasked>(block, op);
+}
+
+template <bool kMasked>
+void store_each(LaneBlock& block, const MicroOperation& op, std::uint16_t address) {
+    Addresses addresses;
+    find_addresses<kMasked>(block, op, address, addresses);
+    leave_lines(block, op.where, addresses.least, addresses.most);
+    LaneMemory& memory = *block.parts->memory;
+    const MemoryRegion& region = memory.region(op.where + addresses.least);
+    if (!region.holds(op.where + addresses.most) || region.view().lane_stride == 0) {
+        each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
+            const MemoryRegion& own = memory.region(op.where + addresses.of[lane]);
+            if (own.view().lane_stride == 0) {
+                memory.unshare(own);
+            }
+        });
+    }
+    const std::uint16_t* const src = block.rows + op.b;
+    each_word<kMasked>(block, op.where, addresses,
+                       [src](std::size_t lane, std::uint16_t& word) HWY_ATTR { word = src[lane]; });
+}
+
+template <bool kMasked>
 void store(LaneBlock& block, const MicroOperation& op) {
+    if (op.detail != 0 && block.lines->open.id == op.detail) {
+        store_into_open_line<kMasked>(block, op);
+        return;
+    }
     const std::uint16_t* const base = block.rows + op.a;
     const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
     const auto address = static_cast<std::uint16_t>(value + op.immediate);
     if (is_uniform<kMasked>(block, base, value)) {
+        leave_lines(block, op.where, address, address);
         store_at<kMasked>(block, block.rows + op.b, op.where + address);
         return;
     }
-    Addresses addresses;
-    find_addresses<kMasked>(block, op, address, addresses);
-    LaneMemory& memory = *block.parts->memory;
-    each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
-        const MemoryRegion& region = memory.region(op.where + addresses.of[lane]);
-        if (region.view().lane_stride == 0) {
-            memory.unshare(region);
+    const auto start = static_cast<std::uint16_t>(value + line_offset(op.immediate));
+    if (op.detail != 0 && open_line(block, op, start)) {
+        store_into_open_line<kMasked>(block, op);
+        return;
+    }
+    store_each<kMasked>(block, op, address);
+}
+
+void forget_base(LaneBlock& block, const MicroOperation& op) {
+    LaneLines& lines = *block.lines;
+    if (lines.open.id != 0 && lines.open.base == op.a) {
+        close_line(block);
+    }
+    for (std::uint32_t used = lines.used; used != 0; used &= used - 1) {
+        const auto index = static_cast<std::size_t>(std::countr_zero(used));
+        if (lines.lines[index].base == op.a) {
+            lines.forget(index);
         }
-    });
-    const std::uint16_t* const src = block.rows + op.b;
-    each_word<kMasked>(block, op.where, addresses,
-                       [src](std::size_t lane, std::uint16_t& word) HWY_ATTR { word = src[lane]; });
+    }
+    for (Relation& relation : lines.relations) {
+        if (relation.a == op.a || relation.b == op.a) {
+            relation = {};
+        }
+    }
+}
+
+void close_open_line(LaneBlock& block, const MicroOperation&) {
+    close_line(block);
 }
 
 // The block's communication registers lie side by side in the ring, or at its end and its start.
@@ -246,8 +342,9 @@ void keep_test(LaneBlock& block, const MicroOperation&) {
 
 template <bool kMasked>
 constexpr std::array<Kernel, kKernelCodes - kRegisterCodes> table_of() {
-    return {load_fixed<kMasked>, load<kMasked>, store_fixed<kMasked>, store<kMasked>,
-            put<kMasked>,        get<kMasked>,  aux<kMasked>,         keep_test};
+    return {load_fixed<kMasked>, load<kMasked>,  store_fixed<kMasked>, store<kMasked>,
+            put<kMasked>,        get<kMasked>,   aux<kMasked>,         keep_test,
+            forget_base,         close_open_line};
 }
 
 constexpr auto kFull = table_of<false>();

@@ -176,7 +176,7 @@ template <MulOp kOp, ProductPart kPart, bool kImmediate, bool kMasked>
 void product_kernel(LaneBlock& block, const MicroOperation& op) {
     const std::uint16_t* const row = block.rows + op.a;
     const Operand<kImmediate> operand(block, op);
-    const int pick = op.pick;
+    const int pick = op.detail;
     each_vector<kMasked>(block, block.rows + op.dst, [&](std::size_t lane) HWY_ATTR {
         const Vector a = hn::Load(Words(), row + lane);
         const Vector b = operand(lane);

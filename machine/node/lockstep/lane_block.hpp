@@ -3,6 +3,7 @@
 // sleep, and given to the host's threads.
 #pragma once
 
+#include "machine/node/lockstep/lane_lines.hpp"
 #include "machine/node/lockstep/lane_memory.hpp"
 #include "machine/node/lockstep/micro_operation.hpp"
 
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace rasterloom::lockstep {
-
-inline constexpr int kMaxWidth = 256;  // lanes of a block
-inline constexpr int kBitsPerWord = 64;
-
-// A bit a lane. Bits of lanes that the array does not have mean nothing in `test` and `carry` and
-// are clear in `awake`.
-using LaneBits = std::array<std::uint64_t, kMaxWidth / kBitsPerWord>;
 
 // What all blocks of an array share.
 struct ArrayParts {
@@ -35,6 +29,7 @@ struct LaneBlock {
     LaneBits exists{};
     std::uint16_t* rows = nullptr;  // kRows of `width`; rows of registers that do not exist: none
     const ArrayParts* parts = nullptr;
+    LaneLines* lines = nullptr;
     std::size_t index = 0;
     std::size_t width = 0;       // a multiple of 64
     std::size_t lanes = 0;       // that exist, at most `width`

@@ -27,6 +27,7 @@ struct MemoryView {
 class MemoryRegion {
   public:
     std::uint32_t first() const { return first_; }
+    std::uint32_t end() const { return first_ + words_; }
     bool holds(std::uint32_t address) const { return address - first_ < words_; }
     const MemoryView& view() const { return *view_.load(std::memory_order_acquire); }
     std::uint16_t* at(const MemoryView& view, std::size_t block, std::uint32_t address) const {

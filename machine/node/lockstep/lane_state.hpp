@@ -37,6 +37,8 @@ class LaneState {
   private:
     std::size_t width_;
     HostPages rows_;
+    HostPages line_rows_;
+    std::vector<LaneLines> lines_;
 
   public:
     LaneMemory memory;

@@ -53,8 +53,10 @@ inline constexpr Code kStore = kStoreFixed + 1;
 inline constexpr Code kPut = kStore + 1;
 inline constexpr Code kGet = kPut + 1;
 inline constexpr Code kAux = kGet + 1;
-inline constexpr Code kKeepTest = kAux + 1;  // T as the bundle found it, for a later sleep
-inline constexpr int kKernelCodes = kKeepTest + 1;
+inline constexpr Code kKeepTest = kAux + 1;         // T as the bundle found it, for a later sleep
+inline constexpr Code kForgetBase = kKeepTest + 1;  // register `a` has changed: lane_lines.hpp
+inline constexpr Code kCloseLine = kForgetBase + 1;
+inline constexpr int kKernelCodes = kCloseLine + 1;
 // Changes of the sleep state: no kernels, since they choose among the kernels' variants.
 inline constexpr Code kWake = kKernelCodes;
 inline constexpr Code kToggle = kWake + 1;
@@ -72,7 +74,9 @@ constexpr bool changes_sleep(Code code) {
 
 struct MicroOperation {
     Code code = 0;
-    std::uint8_t pick = 0;        // of products
+    // Of products: the pick. Of memory operations: the number of base register and line of offsets
+    // in the program, 0 if it is not to be looked for among the lines.
+    std::uint8_t detail = 0;
     std::uint16_t immediate = 0;  // or the offset of a memory operation
     std::uint16_t dst = 0;        // rows, as distances in words from the block's first
     std::uint16_t a = 0;

@@ -57,6 +57,10 @@ Sequencer::Sequencer(const isa::vliw::Program& program, const Translation& trans
 Sequencer::Stop Sequencer::run(std::int64_t budget_cycles) {
     const std::int64_t start = state_.cycles;
     Stop stop = run_to_stop(start + budget_cycles);
+    compute_lanes();
+    for (LaneBlock& block : blocks_) {
+        end_run(block, kernels());
+    }
     meet_lanes();
     stop.cycles = state_.cycles - start;
     return stop;

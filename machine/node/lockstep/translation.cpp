@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "machine/node/lockstep/translation.hpp"
 
+#include "machine/node/lockstep/lane_lines.hpp"
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <optional>
 
@@ -56,7 +59,7 @@ std::optional<Slot> mul_slot(const Bundle& bundle) {
                                              : ProductPart::high;
     Slot slot;
     slot.op.code = product_code(mul.op, part, mul.immediate);
-    slot.op.pick = mul.pick;
+    slot.op.detail = mul.pick;
     slot.op.immediate = bundle.immediate;
     slot.op.dst = mul.dst;
     slot.op.a = mul.a;
@@ -205,9 +208,38 @@ MicroOperation sleep_change(Code code, std::uint32_t when) {
     return op;
 }
 
+// Base register, first word of the bank, offset of the line.
+std::array<std::uint32_t, 3> line_of(const Bundle::Memory& mem) {
+    const bool slow = mem.op == MemOp::lds || mem.op == MemOp::sts;
+    return {mem.base, slow ? mem.bank + 1U : 0U, line_offset(mem.offset)};
+}
+
+MicroOperation forget_base(int reg) {
+    MicroOperation forget;
+    forget.code = kForgetBase;
+    forget.a = static_cast<std::uint16_t>(reg);
+    return forget;
+}
+
 }  // namespace
 
+void Translation::number_lines(const isa::vliw::Program& program) {
+    std::map<std::array<std::uint32_t, 3>, int> uses;
+    for (const Bundle& bundle : program.bundles) {
+        if (bundle.mem.op != MemOp::none && bundle.mem.base != 0) {
+            ++uses[line_of(bundle.mem)];
+        }
+    }
+    for (const auto& [line, count] : uses) {
+        if (count > 1 && line_ids_.size() < kMostLineIds) {
+            line_ids_.emplace(line, static_cast<std::uint8_t>(line_ids_.size() + 1));
+            line_bases_ |= 1U << line.front();
+        }
+    }
+}
+
 Translation::Translation(const isa::vliw::Program& program, int row_words) {
+    number_lines(program);
     cycles_.push_back(0);
     slots_.push_back(0);
     for (const Bundle& bundle : program.bundles) {
@@ -234,11 +266,19 @@ void Translation::translate(const Bundle& bundle, int row_words) {
         keep.code = kKeepTest;
         operations_.push_back(keep);
     }
+    const auto line = line_ids_.find(line_of(bundle.mem));
     for (MicroOperation op : Order(bundle).operations()) {
+        if (op.code >= kLoadFixed && op.code <= kStore && line != line_ids_.end()) {
+            op.detail = line->second;
+        }
         for (std::uint16_t* row : {&op.dst, &op.a, &op.b}) {
             *row = static_cast<std::uint16_t>(*row * row_words);
         }
         operations_.push_back(op);
+    }
+    for (std::uint32_t changed = registers_written(bundle) & line_bases_; changed != 0;
+         changed &= changed - 1) {
+        operations_.push_back(forget_base(std::countr_zero(changed) * row_words));
     }
     if (sleep) {
         operations_.push_back(sleep_change(*sleep, end));

@@ -6,7 +6,9 @@
 #include "isa/vliw/program.hpp"
 #include "machine/node/lockstep/micro_operation.hpp"
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace rasterloom::lockstep {
@@ -35,10 +37,15 @@ class Translation {
     std::uint32_t next_waking(std::uint32_t op) const { return next_waking_[op]; }
 
   private:
+    // Numbers base registers' lines of offsets that are used more than once: fetching for one
+    // operation alone does not pay.
+    void number_lines(const isa::vliw::Program& program);
     void translate(const isa::vliw::Bundle& bundle, int row_words);
     void find_ends(const isa::vliw::Program& program);
 
     std::vector<MicroOperation> operations_;
+    std::map<std::array<std::uint32_t, 3>, std::uint8_t> line_ids_;  // by base, bank, offset
+    std::uint32_t line_bases_ = 0;  // bit r: register r is the base of a numbered line
     std::vector<std::uint32_t> first_;
     std::vector<bool> waking_;
     std::vector<std::uint32_t> cycles_;

@@ -240,5 +240,84 @@ RC_GTEST_PROP(LockstepArrayProperties, StopsInTheSameStateWhereverTheBudgetEnds,
     }
 }
 
+// Records read and written by pointers r8, r9, r10: equal on some lanes, some words or far apart on
+// others, changed now and then, with sleeping lanes and transport by the ring in between.
+class RecordProgram {
+  public:
+    explicit RecordProgram(std::uint64_t seed) : random_(seed) {
+        // Pointers into the window, in both halves of it.
+        for (std::uint8_t pointer = 8; pointer < 11; ++pointer) {
+            add_pointer_change(pointer);
+        }
+        for (int i = 0; i < 120; ++i) {
+            add();
+        }
+        bundles_.emplace_back().seq.op = SeqOp::halt;
+    }
+    const std::vector<Bundle>& bundles() const { return bundles_; }
+
+  private:
+    std::uint8_t below(int bound) {
+        return static_cast<std::uint8_t>(random_() % static_cast<std::uint64_t>(bound));
+    }
+    std::uint8_t reg(int first, int count) {
+        return static_cast<std::uint8_t>(first + below(count));
+    }
+
+    void add_pointer_change(std::uint8_t pointer) {
+        Bundle& masked = bundles_.emplace_back();
+        masked.alu = {.op = AluOp::and_, .dst = pointer, .a = reg(1, 7), .immediate = true};
+        masked.immediate = below(3) == 0 ? 1 : below(2) == 0 ? 31 : 0;
+        Bundle& far = bundles_.emplace_back();
+        far.mul = {MulOp::mulu, pointer, pointer, 0, below(2), true};
+        far.immediate = static_cast<std::uint16_t>(below(2) == 0 ? 1 : 200);
+    }
+    void add() {
+        const int kind = below(20);
+        Bundle bundle;
+        if (kind < 14) {
+            const MemOp op = kind < 8 ? (kind < 6 ? MemOp::ld : MemOp::lds)
+                                      : (kind < 13 ? MemOp::st : MemOp::sts);
+            const auto offset = static_cast<std::uint16_t>(kWindow + below(24));
+            bundle.mem = {op, 0, reg(11, 12), kind == 3 ? std::uint8_t{0} : reg(8, 3), offset};
+            bundle.alu = {.op = AluOp::xor_, .dst = reg(1, 7), .a = reg(11, 12), .b = reg(1, 7)};
+        } else if (kind == 14) {
+            bundle.sleep = SleepOp::slt;
+        } else if (kind < 17) {
+            bundle.sleep = SleepOp::wake;
+            bundle.alu = {.op = AluOp::tltu, .a = reg(1, 7), .b = reg(1, 7)};
+        } else if (kind < 19) {
+            bundle.comm = {kind == 17 ? CommOp::put : CommOp::get, reg(11, 12), 0};
+        } else {
+            return add_pointer_change(reg(8, 3));
+        }
+        bundles_.push_back(bundle);
+    }
+
+    std::mt19937_64 random_;
+    std::vector<Bundle> bundles_;
+};
+
+TEST(LockstepArrayRecords, AreReadAndWrittenAsByTheInterpreter) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const auto program = testing::program_of(RecordProgram(seed).bundles());
+        Interpreter interpreter(program, 290);
+        isa::vliw::testing::randomize(interpreter, seed);
+        testing::run(interpreter, kMuch);
+        const auto paths = LockstepArray::paths();
+        const OnPath on_path(paths[seed % paths.size()]);
+        for (const LaneLayout layout :
+             {LaneLayout::across, LaneLayout::along, LaneLayout::shared}) {
+            LockstepArray array(program, {.lanes = 290, .threads = 2});
+            array.set_layout(fast_word(kWindow), 512, layout);
+            array.set_layout(slow_word(0, kWindow), 60, layout);  // not all that is accessed
+            isa::vliw::testing::randomize(array, seed);
+            array.run(kMuch);
+            ASSERT_EQ(testing::difference(array, interpreter), "")
+                << "seed " << seed << " on " << LockstepArray::paths().front();
+        }
+    }
+}
+
 }  // namespace
 }  // namespace rasterloom

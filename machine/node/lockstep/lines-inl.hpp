@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+// How lines are fetched, changed by stores and written back (lane_lines.hpp). Included once for
+// each instruction set.
+#if defined(RASTERLOOM_LOCKSTEP_LINES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RASTERLOOM_LOCKSTEP_LINES_INL
+#undef RASTERLOOM_LOCKSTEP_LINES_INL
+#else
+#define RASTERLOOM_LOCKSTEP_LINES_INL
+#endif
+
+#include "machine/node/lockstep/vectors-inl.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+
+HWY_BEFORE_NAMESPACE();
+namespace rasterloom::lockstep {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET != HWY_SCALAR
+// Row i of the result is column i of what was there.
+using Square = hn::FixedTag<std::uint16_t, kLineWords>;
+HWY_INLINE void transpose(hn::Vec<Square>* rows) {
+    const Square d;
+    const hn::RepartitionToWide<Square> d2;
+    const hn::RepartitionToWide<decltype(d2)> d4;
+    using Pair = hn::Vec<decltype(d2)>;
+    using Quad = hn::Vec<decltype(d4)>;
+    Pair pairs[8];
+    for (int i = 0; i < 4; ++i) {
+        pairs[i] = hn::BitCast(d2, hn::InterleaveLower(d, rows[2 * i], rows[2 * i + 1]));
+        pairs[4 + i] = hn::BitCast(d2, hn::InterleaveUpper(d, rows[2 * i], rows[2 * i + 1]));
+    }
+    Quad quads[8];
+    for (int i = 0; i < 4; ++i) {  // columns 2i and 2i + 1, of the upper rows and of the lower
+        const int from = i / 2 * 4;
+        for (int half = 0; half < 2; ++half) {
+            const Pair a = pairs[from + half * 2];
+            const Pair b = pairs[from + half * 2 + 1];
+            quads[i * 2 + half] = hn::BitCast(
+                d4, i % 2 == 0 ? hn::InterleaveLower(d2, a, b) : hn::InterleaveUpper(d2, a, b));
+        }
+    }
+    for (int i = 0; i < 4; ++i) {
+        rows[2 * i] = hn::BitCast(d, hn::InterleaveLower(d4, quads[2 * i], quads[2 * i + 1]));
+        rows[2 * i + 1] = hn::BitCast(d, hn::InterleaveUpper(d4, quads[2 * i], quads[2 * i + 1]));
+    }
+}
+#endif
+
+// rows := each lane's eight words at words[lane * stride + at[lane]].
+HWY_INLINE void turn_in(const LaneBlock& block, const std::uint16_t* words, std::size_t stride,
+                        const std::uint16_t* at, std::uint16_t* rows) {
+    for (std::size_t lane = 0; lane < block.width; lane += kLineWords) {
+#if HWY_TARGET == HWY_SCALAR
+        for (std::size_t i = lane; i < lane + kLineWords; ++i) {
+            for (std::size_t word = 0; word < kLineWords; ++word) {
+                rows[word * block.width + i] = words[i * stride + at[i] + word];
+            }
+        }
+#else
+        const Square d;
+        hn::Vec<Square> square[kLineWords];
+        for (std::size_t i = 0; i < kLineWords; ++i) {
+            square[i] = hn::LoadU(d, words + (lane + i) * stride + at[lane + i]);
+        }
+        transpose(square);
+        for (std::size_t word = 0; word < kLineWords; ++word) {
+            hn::Store(square[word], d, rows + word * block.width + lane);
+        }
+#endif
+    }
+}
+
+// The contrary, of the rows in `dirty` and the lanes in `lanes`.
+HWY_INLINE void turn_out(const LaneBlock& block, std::uint16_t* words, std::size_t stride,
+                         const Line& line, const std::uint16_t* at, std::uint32_t dirty) {
+    for (std::size_t lane = 0; lane < block.width; lane += kLineWords) {
+        const std::uint64_t lanes = line.lanes[lane / kBitsPerWord] >> (lane % kBitsPerWord) & 0xFF;
+        if (lanes == 0) {
+            continue;
+        }
+#if HWY_TARGET == HWY_SCALAR
+        for (std::size_t i = 0; i < kLineWords; ++i) {
+            for (std::size_t word = 0; word < kLineWords; ++word) {
+                if ((lanes >> i & 1U) != 0 && (dirty >> word & 1U) != 0) {
+                    words[(lane + i) * stride + at[lane + i] + word] =
+                        line.rows[word * block.width + lane + i];
+                }
+            }
+        }
+#else
+        const Square d;
+        const auto bits = static_cast<std::uint8_t>(dirty);
+        alignas(8) const std::uint8_t stored[8] = {bits};
+        const hn::Mask<Square> mask = hn::LoadMaskBits(d, stored);
+        hn::Vec<Square> square[kLineWords];
+        for (std::size_t word = 0; word < kLineWords; ++word) {
+            square[word] = hn::Load(d, line.rows + word * block.width + lane);
+        }
+        transpose(square);
+        for (std::size_t i = 0; i < kLineWords; ++i) {
+            if ((lanes >> i & 1U) != 0) {
+                std::uint16_t* const to = words + (lane + i) * stride + at[lane + i];
+                hn::StoreU(hn::IfThenElse(mask, square[i], hn::LoadU(d, to)), d, to);
+            }
+        }
+#endif
+    }
+}
+
+// Writes the open line back, and closes it.
+inline void close_line(LaneBlock& block) {
+    LaneLines& lines = *block.lines;
+    Line& open = lines.open;
+    if (open.id == 0) {
+        return;
+    }
+    const MemoryRegion& region = block.parts->memory->region(open.bank + open.least);
+    const MemoryView& view = region.view();
+    // Addresses in the bank may lie below the region's first: the lanes that have them sleep.
+    const std::uint32_t shift = region.first() > open.bank ? region.first() - open.bank : 0;
+    std::uint16_t* const words = region.at(view, block.index, open.bank + shift);
+    alignas(64) std::uint16_t at[kMaxWidth];
+    for (std::size_t lane = 0; lane < block.width; ++lane) {
+        at[lane] = static_cast<std::uint16_t>(lines.open_at[lane] - shift);
+    }
+    turn_out(block, words, view.lane_stride, open, at, lines.dirty);
+    open.id = 0;
+    lines.dirty = 0;
+}
+
+inline void close_line_over(LaneBlock& block, std::uint32_t bank, std::uint32_t from,
+                            std::uint32_t to) {
+    const Line& open = block.lines->open;
+    if (open.id != 0 && open.may_hold(bank, from, to)) {
+        close_line(block);
+    }
+}
+
+inline void forget_lines_over(LaneBlock& block, std::uint32_t bank, std::uint32_t from,
+                              std::uint32_t to) {
+    LaneLines& lines = *block.lines;
+    for (std::uint32_t used = lines.used; used != 0; used &= used - 1) {
+        const auto index = static_cast<std::size_t>(std::countr_zero(used));
+        if (lines.lines[index].may_hold(bank, from, to)) {
+            lines.forget(index);
+        }
+    }
+}
+
+inline const Relation& relation_of(LaneBlock& block, std::uint16_t a, std::uint16_t b) {
+    LaneLines& lines = *block.lines;
+    for (const Relation& known : lines.relations) {
+        if ((known.a == a && known.b == b) || (known.a == b && known.b == a)) {
+            return known;
+        }
+    }
+    Relation& relation = lines.relations[lines.next_relation++ % lines.relations.size()];
+    relation.a = a;
+    relation.b = b;
+    const Words d;
+    const Vector apart = hn::Set(d, kApart);
+    Mask tangled = hn::Ne(apart, apart);  // nowhere
+    for (std::size_t lane = 0; lane < block.width; lane += hn::Lanes(d)) {
+        const Vector difference =
+            hn::Sub(hn::Load(d, block.rows + a + lane), hn::Load(d, block.rows + b + lane));
+        const Mask equal = hn::Eq(difference, hn::Zero(d));
+        store_bits(equal, relation.equal, lane);
+        // difference in 1 - kApart ... kApart - 1
+        const Mask near =
+            hn::Lt(hn::Add(difference, hn::Set(d, kApart - 1)), hn::Set(d, 2 * kApart - 1));
+        tangled = hn::Or(tangled, hn::And(load_bits(block.exists, lane), hn::AndNot(equal, near)));
+    }
+    relation.apart = hn::AllFalse(d, tangled);
+    return relation;
+}
+
+// The addresses of a line: of lanes for which it lies in the region, of other lanes that of the
+// first awake lane, where it does no harm. False if there is an awake lane among the others.
+HWY_INLINE bool find_line(const LaneBlock& block, Line& line, const MemoryRegion& region,
+                          std::uint16_t anchor, std::uint16_t* at) {
+    const Words d;
+    const std::uint32_t low = region.first() > line.bank ? region.first() - line.bank : 0;
+    const std::uint32_t end = std::min(region.end() - line.bank, 0x10000U);
+    const Vector first = hn::Set(d, static_cast<std::uint16_t>(low));
+    const Vector room = hn::Set(d, static_cast<std::uint16_t>(end - low - kLineWords));
+    const Vector offset = hn::Set(d, line.offset);
+    const Vector stand_in = hn::Set(d, anchor);
+    Vector least = stand_in;
+    Vector most = stand_in;
+    for (std::size_t lane = 0; lane < block.width; lane += hn::Lanes(d)) {
+        const Vector address = hn::Add(hn::Load(d, block.rows + line.base + lane), offset);
+        const Mask inside =
+            hn::And(hn::Not(hn::Lt(room, hn::Sub(address, first))), load_bits(block.exists, lane));
+        const Vector harmless = hn::IfThenElse(inside, address, stand_in);
+        store_bits(inside, line.lanes, lane);
+        hn::Store(harmless, d, at + lane);
+        least = hn::Min(least, harmless);
+        most = hn::Max(most, harmless);
+    }
+    line.least = hn::GetLane(hn::MinOfLanes(d, least));
+    line.most = hn::GetLane(hn::MaxOfLanes(d, most));
+    if (anchor < low || anchor - low > end - low - kLineWords) {
+        return false;
+    }
+    for (std::size_t word = 0; word < block.bit_words(); ++word) {
+        if ((block.awake[word] & ~line.lanes[word]) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Whether what the open line gathers may belong into a line that is about to be fetched.
+inline bool open_line_concerns(LaneBlock& block, const Line& line) {
+    const Line& open = block.lines->open;
+    if (open.id == 0 || open.bank != line.bank) {
+        return false;
+    }
+    const int between = open.offset - line.offset;
+    if (open.base == line.base) {
+        return between == 0;
+    }
+    if (!open.may_hold(line.bank, line.least, line.most + std::uint32_t{kLineWords - 1})) {
+        return false;
+    }
+    if (std::abs(between) > kApart - kLineWords) {
+        return true;
+    }
+    const Relation& relation = relation_of(block, open.base, line.base);
+    return !relation.apart || (between == 0 && relation.equal != LaneBits{});
+}
+
+// A line to read; none where the words do not lie along the lanes.
+inline const Line* fetch_line(LaneBlock& block, const MicroOperation& op, std::uint16_t anchor) {
+    LaneLines& lines = *block.lines;
+    const MemoryRegion& region = block.parts->memory->region(op.where + anchor);
+    const MemoryView view = region.view();
+    if (view.address_stride != 1) {
+        return nullptr;
+    }
+    alignas(64) std::uint16_t at[kMaxWidth];
+    const std::size_t index = lines.next;
+    Line& line = lines.lines[index];
+    if (line.id != 0) {
+        lines.forget(index);
+    }
+    line.base = op.a;
+    line.bank = op.where;
+    line.offset = line_offset(op.immediate);
+    if (!find_line(block, line, region, anchor, at)) {
+        return nullptr;
+    }
+    if (open_line_concerns(block, line)) {
+        close_line(block);
+    }
+    const std::uint32_t shift = region.first() > line.bank ? region.first() - line.bank : 0;
+    for (std::size_t lane = 0; lane < block.width; ++lane) {
+        at[lane] = static_cast<std::uint16_t>(at[lane] - shift);
+    }
+    turn_in(block, region.at(view, block.index, line.bank + shift), view.lane_stride, at,
+            line.rows);
+    line.id = op.detail;
+    lines.place[line.id] = static_cast<std::uint8_t>(index + 1);
+    lines.used |= 1U << index;
+    lines.next = (index + 1) % lines.lines.size();
+    return &line;
+}
+
+// Opens a line for stores; false where the words do not lie along the lanes.
+inline bool open_line(LaneBlock& block, const MicroOperation& op, std::uint16_t anchor) {
+    LaneLines& lines = *block.lines;
+    close_line(block);
+    const MemoryRegion& region = block.parts->memory->region(op.where + anchor);
+    if (region.view().address_stride != 1) {
+        return false;
+    }
+    Line& open = lines.open;
+    open.base = op.a;
+    open.bank = op.where;
+    open.offset = line_offset(op.immediate);
+    if (!find_line(block, open, region, anchor, lines.open_at.data())) {
+        return false;
+    }
+    if (region.view().lane_stride == 0) {
+        block.parts->memory->unshare(region);
+    }
+    open.lanes = block.awake;
+    open.id = op.detail;
+    return true;
+}
+
+// Gives lines to read what is being stored at `op`'s addresses, or forgets them.
+template <bool kMasked>
+HWY_INLINE void change_lines(LaneBlock& block, const MicroOperation& op) {
+    LaneLines& lines = *block.lines;
+    const Line& open = lines.open;
+    const Words d;
+    const std::uint16_t* const from = block.rows + op.b;
+    for (std::uint32_t used = lines.used; used != 0; used &= used - 1) {
+        const auto index = static_cast<std::size_t>(std::countr_zero(used));
+        const Line& line = lines.lines[index];
+        const int word = op.immediate - line.offset;
+        const bool in_line = word >= 0 && word < kLineWords;
+        std::uint16_t* const row =
+            line.rows + static_cast<std::size_t>(in_line ? word : 0) * block.width;
+        if (line.bank != open.bank || (line.base == open.base && !in_line)) {
+            continue;
+        }
+        if (line.base == open.base) {
+            each_vector<kMasked>(
+                block, row, [&](std::size_t lane) HWY_ATTR { return hn::Load(d, from + lane); });
+            continue;
+        }
+        if (!line.may_hold(open.bank, open.least, open.most + std::uint32_t{kLineWords - 1})) {
+            continue;
+        }
+        const Relation& relation = relation_of(block, line.base, open.base);
+        if (!relation.apart || std::abs(word) > kApart - kLineWords) {
+            lines.forget(index);
+        } else if (in_line) {
+            each_vector<kMasked>(block, row, [&](std::size_t lane) HWY_ATTR {
+                return hn::IfThenElse(load_bits(relation.equal, lane), hn::Load(d, from + lane),
+                                      hn::Load(d, row + lane));
+            });
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rasterloom::lockstep
+HWY_AFTER_NAMESPACE();
+
+#endif
