@@ -191,6 +191,13 @@ HWY_INLINE void load_from(LaneBlock& block, const MicroOperation& op, const Line
     });
 }
 
+// Where a lane's words lie side by side, an address that is the same on all lanes is none the
+// better for it.
+HWY_INLINE bool goes_by_lines(const LaneBlock& block, const MicroOperation& op,
+                              std::uint16_t address) {
+    return op.detail != 0 && block.parts->memory->region(op.where + address).view().lane_stride > 1;
+}
+
 template <bool kMasked>
 void load(LaneBlock& block, const MicroOperation& op) {
     LaneLines& lines = *block.lines;
@@ -204,7 +211,7 @@ void load(LaneBlock& block, const MicroOperation& op) {
     const std::uint16_t* const base = block.rows + op.a;
     const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
     const auto address = static_cast<std::uint16_t>(value + op.immediate);
-    if (is_uniform<kMasked>(block, base, value)) {
+    if (!goes_by_lines(block, op, address) && is_uniform<kMasked>(block, base, value)) {
         close_line_over(block, op.where, address, address);
         load_at<kMasked>(block, block.rows + op.dst, op.where + address);
         return;
@@ -261,7 +268,7 @@ void store(LaneBlock& block, const MicroOperation& op) {
     const std::uint16_t* const base = block.rows + op.a;
     const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
     const auto address = static_cast<std::uint16_t>(value + op.immediate);
-    if (is_uniform<kMasked>(block, base, value)) {
+    if (!goes_by_lines(block, op, address) && is_uniform<kMasked>(block, base, value)) {
         leave_lines(block, op.where, address, address);
         store_at<kMasked>(block, block.rows + op.b, op.where + address);
         return;

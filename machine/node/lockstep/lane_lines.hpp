@@ -51,10 +51,16 @@ struct Line {
 struct Relation {
     std::uint16_t a = 0;  // rows; the same for a relation that is not known
     std::uint16_t b = 0;
-    bool apart = false;  // on every lane, they are equal or at least kApart words apart
     LaneBits equal{};
+    std::uint16_t nearest_above = 0;  // the least distance of b above a on any lane where it is not
+    std::uint16_t nearest_below = 0;  // equal, modulo 2^16; and below
+
+    // Whether b - a is in from ... to on no lane but those where it is 0.
+    bool clear_of(int from, int to) const {
+        return from > -0x4000 && to < 0x4000 && (from >= 0 || nearest_below > -from) &&
+               (to <= 0 || nearest_above > to);
+    }
 };
-inline constexpr int kApart = 64;
 
 struct LaneLines {
     std::array<Line, kLines> lines;
@@ -66,7 +72,8 @@ struct LaneLines {
 
     Line open;                // `lanes`: those that were awake when it was opened
     std::uint32_t dirty = 0;  // bit i: row i
-    alignas(64) std::array<std::uint16_t, kMaxWidth> open_at{};  // first words' addresses in the bank
+    alignas(
+        64) std::array<std::uint16_t, kMaxWidth> open_at{};  // first words' addresses in the bank
 
     void forget(std::size_t index) {
         place[lines[index].id] = 0;

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 
 HWY_BEFORE_NAMESPACE();
 namespace rasterloom::lockstep {
@@ -153,7 +152,7 @@ inline void forget_lines_over(LaneBlock& block, std::uint32_t bank, std::uint32_
 inline const Relation& relation_of(LaneBlock& block, std::uint16_t a, std::uint16_t b) {
     LaneLines& lines = *block.lines;
     for (const Relation& known : lines.relations) {
-        if ((known.a == a && known.b == b) || (known.a == b && known.b == a)) {
+        if (known.a == a && known.b == b) {
             return known;
         }
     }
@@ -161,19 +160,20 @@ inline const Relation& relation_of(LaneBlock& block, std::uint16_t a, std::uint1
     relation.a = a;
     relation.b = b;
     const Words d;
-    const Vector apart = hn::Set(d, kApart);
-    Mask tangled = hn::Ne(apart, apart);  // nowhere
+    const Vector farthest = hn::Set(d, 0xFFFF);
+    Vector above = farthest;
+    Vector below = farthest;
     for (std::size_t lane = 0; lane < block.width; lane += hn::Lanes(d)) {
-        const Vector difference =
-            hn::Sub(hn::Load(d, block.rows + a + lane), hn::Load(d, block.rows + b + lane));
-        const Mask equal = hn::Eq(difference, hn::Zero(d));
+        const Vector up =
+            hn::Sub(hn::Load(d, block.rows + b + lane), hn::Load(d, block.rows + a + lane));
+        const Mask equal = hn::Eq(up, hn::Zero(d));
         store_bits(equal, relation.equal, lane);
-        // difference in 1 - kApart ... kApart - 1
-        const Mask near =
-            hn::Lt(hn::Add(difference, hn::Set(d, kApart - 1)), hn::Set(d, 2 * kApart - 1));
-        tangled = hn::Or(tangled, hn::And(load_bits(block.exists, lane), hn::AndNot(equal, near)));
+        const Mask counts = hn::And(load_bits(block.exists, lane), hn::Not(equal));
+        above = hn::Min(above, hn::IfThenElse(counts, up, farthest));
+        below = hn::Min(below, hn::IfThenElse(counts, hn::Sub(hn::Zero(d), up), farthest));
     }
-    relation.apart = hn::AllFalse(d, tangled);
+    relation.nearest_above = hn::GetLane(hn::MinOfLanes(d, above));
+    relation.nearest_below = hn::GetLane(hn::MinOfLanes(d, below));
     return relation;
 }
 
@@ -226,11 +226,9 @@ inline bool open_line_concerns(LaneBlock& block, const Line& line) {
     if (!open.may_hold(line.bank, line.least, line.most + std::uint32_t{kLineWords - 1})) {
         return false;
     }
-    if (std::abs(between) > kApart - kLineWords) {
-        return true;
-    }
-    const Relation& relation = relation_of(block, open.base, line.base);
-    return !relation.apart || (between == 0 && relation.equal != LaneBits{});
+    const Relation& relation = relation_of(block, line.base, open.base);
+    return !relation.clear_of(1 - kLineWords - between, kLineWords - 1 - between) ||
+           (between == 0 && relation.equal != LaneBits{});
 }
 
 // A line to read; none where the words do not lie along the lanes.
@@ -318,7 +316,7 @@ HWY_INLINE void change_lines(LaneBlock& block, const MicroOperation& op) {
             continue;
         }
         const Relation& relation = relation_of(block, line.base, open.base);
-        if (!relation.apart || std::abs(word) > kApart - kLineWords) {
+        if (!relation.clear_of(-word, kLineWords - 1 - word)) {
             lines.forget(index);
         } else if (in_line) {
             each_vector<kMasked>(block, row, [&](std::size_t lane) HWY_ATTR {
