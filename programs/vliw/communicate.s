@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; Sort-middle communication on columns: every descriptor comes to each lane whose column it covers, once (Eldridge 1995, 5.1 to 5.3, 7.4, A.2.2).
 ;
 ; Store and forward: a pass hands the descriptor in every lane's slot on to the lane `stride` (or 1) places right. What arrives is written
@@ -46,7 +47,7 @@ own     = r3
 own_end = r4
 to_go   = r5            ; passes that the slot's descriptor still needs
 here    = r6            ; this lane; in the near round's passes, its column
-edge    = r7            ; the last lane of the window, which are the lanes behind this one that it sends to in the near round
+brink   = r7            ; the last lane of the window, which are the lanes behind this one that it sends to in the near round
 seam    = r8            ; the same less lanes: for windows that go over the end of the ring
 room    = r9
 passed  = r10           ; passes in this procedure
@@ -104,8 +105,8 @@ communicate_near:
         ld      own_end, link_end
         ld      here, lane
         ld      ring, lanes
-        add     edge, here, window
-        sub     seam, edge, ring
+        add     brink, here, window
+        sub     seam, brink, ring
         setc    c2, kPreparations
         tltu    own, own_end
         .endm
@@ -155,7 +156,7 @@ prepare_far_loop:
         mov     r16, room               ; all the way, if a destination lies among the lanes behind this one
         .if ne dense
         tlt     here, last
-        tge.and edge, first
+        tge.and brink, first
         tge.or  seam, first
         tget    r23
         sub     r24, last, here         ; otherwise to the last window that has one
@@ -298,12 +299,12 @@ name'_save:
         .macro  where_far
         ld      here, lane
         ld      ring, lanes
-        add     edge, here, #stride
-        sub     seam, edge, ring
+        add     brink, here, #stride
+        sub     seam, brink, ring
         .endm
         .macro  wanted_far
         tlt     here, last
-        tge.and edge, first
+        tge.and brink, first
         tge.or  seam, first
         .endm
 

@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; Bundle 0: what every scanline begins with (Eldridge 1995, 2.3, 7.2, 7.6). Then the procedure that the pointer names is called; a procedure ends
 ; with `line`. At the very first, at `start`, the pointer is set.
 ;

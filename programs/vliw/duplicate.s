@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; A database that stands on the ring `duplication` times (Eldridge 1995, 5.4): lanes t and t + lanes / duplication hold the same polygons.
 ;
 ; T := this lane is the one that sends a visible polygon whose leftmost column is in register `first`: the last copy before that column. Not the

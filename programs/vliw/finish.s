@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; From one picture to the next: buffers exchanged, the new one cleared, the matrix taken over. Line-locked this waits for the rows
 ; that are not visible. After `frame` the word `shown` is the address of the picture just finished.
 ; Memory: clear_at. Counter: c4.

@@ -86,8 +86,8 @@ n_blue      = 4
 n_texture   = 5         ; not 0: textured
 n_edges     = 8         ; three of: step, value
 n_depth     = 22        ; step, value
-n_intensity = 26        ; step, value; 64 times the intensity less 255
-n_u         = 32        ; step, value plus kUBias, as rounding may make it negative where u is 0
+n_intensity = 26        ; step, value; 64 times (the intensity less 255), without the half unit
+n_u         = 32        ; step, value without the half unit, plus kUBias, which keeps rounding's -0 from being a great number
 n_v         = 38
 kUBias      = 128       ; whole units
 ;

@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; Linear equations normalised to the lane's column (Eldridge 1995, 7.5.1): of every received descriptor, in place, for the rasteriser, which
 ; begins at row d_top: memory.s, the words n_*. C' = C + A column + B top; what A was becomes the upper word of a step that has but one.
 ; Registers: r1 descriptor, r2 column, r3 row d_top, r4 first word behind the received ones, r5 ... r31 arithmetic.
@@ -67,7 +68,8 @@ kNormalised = 11
         add_long_product hi, lo, ah, al, r2, p, q
         add_long_product hi, lo, bh, bl, r3, p, q
         .if ne bias
-        add     hi, hi, #bias
+        adds    lo, lo, #0x8000         ; the bias less half a unit, which is in the descriptor
+        adc     hi, hi, #bias-1
         .endc
         st      lo, at+4(r1)
         st      hi, at+5(r1)
@@ -89,7 +91,8 @@ kNormalised = 11
         shl     r11, r11, #8
         adds    r7, r7, r11
         adc     r8, r8, r12
-        sub     r8, r8, #255
+        subs    r7, r7, #0x8000         ; the half unit
+        sbc     r8, r8, #255
         shl     r13, r8, #6
         shr     r14, r7, #10
         or      r13, r13, r14

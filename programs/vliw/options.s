@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; The renderer's options: a program that includes it may have set them otherwise before. Powers of two where it says so.
         .iif ndf line_locked, line_locked = 0   ; 1: a scanline is 910 cycles
         .iif ndf dense, dense = 1               ; communication, see communicate.s

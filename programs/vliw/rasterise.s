@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; Rasterising by half-planes (Eldridge 1995, 3.2.3, 7.5.2, 7.5.3): a lane walks down the rows of its column through one received descriptor after
 ; the other, in the form that normalise.s has given them. A sample is drawn where all three edges are >= 0 and its depth is greater than
 ; the pixel's, with the polygon's (or texture's) colour times the intensity.

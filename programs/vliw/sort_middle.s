@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; The sort-middle renderer (Eldridge 1995, chapter 7): see README.md. Set an option of options.s by a file that assigns it and then includes
 ; this one.
         .include "options.s"

@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; Perspective-correct bilinear texture (Eldridge 1995, 7.5.2): u = (u / z) / (1 / z) by the table of reciprocals, then the mean of the four texels
 ; around it, weighted. The texture: memory.s.
 ; In: the rasteriser's zh:zl, uh:ul, vh:vl. Out: r27, r28, r29: red, green, blue, 0 ... 65535. Changes r16, r17, r22, r23, r25, r26, r30.

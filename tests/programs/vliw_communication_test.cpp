@@ -29,8 +29,8 @@ struct Box {
 };
 using Boxes = std::vector<std::vector<Box>>;  // by lane
 
-Descriptor descriptor(const Box& box, std::int64_t lane, std::size_t index) {
-    Descriptor words{};
+DescriptorWords descriptor(const Box& box, std::int64_t lane, std::size_t index) {
+    DescriptorWords words{};
     for (std::size_t i = 5; i < words.size(); ++i) {
         words[i] =
             static_cast<std::uint16_t>(static_cast<std::size_t>(lane) * 1000 + index + 7 * i);
@@ -61,10 +61,10 @@ VliwRenderer renderer_with(const Boxes& boxes, const Defines& options, Form form
 }
 
 // All but the passes, which are the communication's own, sorted.
-std::vector<Descriptor> received(const VliwRenderer& renderer, std::int64_t lane) {
-    std::vector<Descriptor> all(renderer.read(lane, "receive_count"));
+std::vector<DescriptorWords> received(const VliwRenderer& renderer, std::int64_t lane) {
+    std::vector<DescriptorWords> all(renderer.read(lane, "receive_count"));
     std::uint32_t at = renderer.read(lane, "received_at");
-    for (Descriptor& words : all) {
+    for (DescriptorWords& words : all) {
         for (std::uint16_t& word : words) {
             word = renderer.read(lane, at++);
         }
@@ -75,8 +75,8 @@ std::vector<Descriptor> received(const VliwRenderer& renderer, std::int64_t lane
     return all;
 }
 
-std::vector<Descriptor> wanted(const Boxes& boxes, int lane) {
-    std::vector<Descriptor> all;
+std::vector<DescriptorWords> wanted(const Boxes& boxes, int lane) {
+    std::vector<DescriptorWords> all;
     const int last = static_cast<int>(boxes.size()) - 1;
     for (std::size_t source = 0; source < boxes.size(); ++source) {
         for (std::size_t i = 0; i < boxes[source].size(); ++i) {

@@ -43,9 +43,9 @@ void append(Words& to, const Words& words) {
 }
 
 TEST(VliwMatrix, ComesByOneIntegerAScanlineForTheNextPicture) {
-    for (const std::uint16_t marker : {0x8000, 0x8001}) {
+    for (const int marker : {0x8000, 0x8001}) {
         VliwRenderer renderer = idle_renderer();
-        renderer.aux = {marker};
+        renderer.aux = {static_cast<std::uint16_t>(marker)};
         append(renderer.aux, matrix(1));
         ASSERT_FALSE(renderer.run());
         EXPECT_EQ(matrix_of(renderer, 0), Words(kMatrixWords)) << "not before the picture is done";

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 4> kFiles = {"communicate.s", "normalise.
                                                     "finish.s"};
 constexpr std::string_view kStubs = "geometry:\n setp communicate\n line\n";
 
-using Triangles = std::vector<ScreenTriangle>;
+using Triangles = std::vector<RasterTriangle>;
 using Texture = std::function<std::uint16_t(int column, int row)>;  // of the texel, as stored
 
 std::uint16_t reciprocal(int z) {
@@ -97,7 +97,7 @@ class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
     int below(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
-    ScreenVertex vertex() {
+    RasterVertex vertex() {
         // Some of the screen's neighbourhood, too.
         return {below(16 * (kLanes + 16)) - 128,
                 below(16 * (kScreenRows + 32)) - 256,
@@ -106,8 +106,8 @@ class Random {
                 double(below(256)),
                 double(below(256))};
     }
-    ScreenTriangle triangle(int texture = 0) {
-        ScreenTriangle result = {
+    RasterTriangle triangle(int texture = 0) {
+        RasterTriangle result = {
             {vertex(), vertex(), vertex()},
             {std::uint8_t(below(256)), std::uint8_t(below(256)), std::uint8_t(below(256))},
             texture};
@@ -137,7 +137,7 @@ struct Difference {
 Difference difference(const VliwRenderer& renderer, const Triangles& triangles,
                       const Sampler& sampler = {}) {
     ReferencePicture reference(kLanes);
-    for (const ScreenTriangle& triangle : triangles) {
+    for (const RasterTriangle& triangle : triangles) {
         reference.draw(triangle, sampler);
     }
     Difference found;
@@ -212,7 +212,7 @@ TEST(VliwRasterise, CoversSmallTrianglesExactly) {
     Random random(9);
     Triangles triangles;
     while (triangles.size() < 300) {
-        ScreenTriangle small = random.triangle();
+        RasterTriangle small = random.triangle();
         for (std::size_t i = 1; i < 3; ++i) {
             small.vertices[i].x = small.vertices[0].x + random.below(48) - 24;
             small.vertices[i].y = small.vertices[0].y + random.below(96) - 48;
@@ -228,10 +228,10 @@ TEST(VliwRasterise, CoversSmallTrianglesExactly) {
 }
 
 // Over the whole screen.
-ScreenTriangle everywhere(double depth, double intensity, std::array<std::uint8_t, 3> colour) {
+RasterTriangle everywhere(double depth, double intensity, std::array<std::uint8_t, 3> colour) {
     return oriented(
-        {{ScreenVertex{-800, -800, depth, intensity}, ScreenVertex{-800, 20000, depth, intensity},
-          ScreenVertex{3000, -800, depth, intensity}},
+        {{RasterVertex{-800, -800, depth, intensity}, RasterVertex{-800, 20000, depth, intensity},
+          RasterVertex{3000, -800, depth, intensity}},
          colour,
          0});
 }

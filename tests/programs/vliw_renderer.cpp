@@ -21,17 +21,7 @@ constexpr std::int64_t kScanlineCycles = 910;
 constexpr std::int64_t kScanlinesAtMost = 1'000'000;
 constexpr std::int64_t kBundlesAtOnce = 1'000'000;
 
-isa::Image assembled(std::span<const std::string_view> files, std::string_view stubs,
-                     std::string_view first, const Defines& defines, Form form) {
-    std::string source;
-    for (const std::string_view file : {"options.s", "memory.s", "dispatch.s"}) {
-        source += fmt::format(" .include \"{}\"\n", file);
-    }
-    for (const std::string_view file : files) {
-        source += fmt::format(" .include \"{}\"\n", file);
-    }
-    source +=
-        fmt::format("{}\nfirst_procedure:\n setp {}\n line\n .end first_procedure\n", stubs, first);
+isa::Image assembled(std::string_view source, const Defines& defines, Form form) {
     isa::AssemblerOptions options;
     options.include_dirs = {RASTERLOOM_SOURCE_DIR "/programs/vliw"};
     options.defines = defines;
@@ -43,12 +33,30 @@ isa::Image assembled(std::span<const std::string_view> files, std::string_view s
     return form == Form::packed ? isa::vliw::pack(assembly.image).image : assembly.image;
 }
 
+std::string include(std::string_view file) {
+    return fmt::format(" .include \"{}\"\n", file);
+}
+
+std::string with_stubs(std::span<const std::string_view> files, std::string_view stubs,
+                       std::string_view first) {
+    std::string source = include("options.s") + include("memory.s") + include("dispatch.s");
+    for (const std::string_view file : files) {
+        source += include(file);
+    }
+    return source + fmt::format("{}\nfirst_procedure:\n setp {}\n line\n .end first_procedure\n",
+                                stubs, first);
+}
+
 }  // namespace
 
 VliwRenderer::VliwRenderer(std::span<const std::string_view> files, std::string_view stubs,
                            std::string_view first, const Defines& defines, std::int64_t lanes,
                            Form form)
-    : VliwRenderer(assembled(files, stubs, first, defines, form), lanes) {}
+    : VliwRenderer(assembled(with_stubs(files, stubs, first), defines, form), lanes) {}
+
+VliwRenderer::VliwRenderer(std::string_view file, const Defines& defines, std::int64_t lanes,
+                           Form form)
+    : VliwRenderer(assembled(include(file), defines, form), lanes) {}
 
 VliwRenderer::VliwRenderer(const isa::Image& image, std::int64_t lanes)
     : symbols_(image.symbols),

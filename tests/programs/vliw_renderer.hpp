@@ -21,7 +21,7 @@ using Defines = std::map<std::string, std::int64_t, std::less<>>;
 using Words = std::vector<std::uint16_t>;
 
 constexpr int kDescriptorWords = 42;
-using Descriptor = std::array<std::uint16_t, kDescriptorWords>;
+using DescriptorWords = std::array<std::uint16_t, kDescriptorWords>;
 
 enum class Ended : std::uint8_t { line, halt, frame };
 enum class Form : std::uint8_t { as_written, packed };
@@ -39,6 +39,10 @@ class VliwRenderer {
     // source. The program begins at `first`. Throws std::runtime_error with the assembler's words.
     VliwRenderer(std::span<const std::string_view> files, std::string_view stubs,
                  std::string_view first, const Defines& defines, std::int64_t lanes,
+                 Form form = Form::packed);
+
+    // A whole program of programs/vliw.
+    VliwRenderer(std::string_view file, const Defines& defines, std::int64_t lanes,
                  Form form = Form::packed);
 
     // To the end of the scanline, or a halt or frame before it. Throws for a trap, a procedure that

@@ -9,10 +9,11 @@ namespace rasterloom::test {
 namespace {
 
 constexpr int kSub = 16;         // of a vertex's coordinates in a pixel
+constexpr double kHalf = 0.5;    // that C has more (memory.s)
 constexpr double kDoubt = 0.02;  // depths that are this near to each other may compare either way
 
 // 256 times E = A x + B y + C of the edge from `from` to `to` at a whole pixel.
-std::int64_t edge(const ScreenVertex& from, const ScreenVertex& to, int column, int row) {
+std::int64_t edge(const RasterVertex& from, const RasterVertex& to, int column, int row) {
     const std::int64_t dx = to.x - from.x;
     const std::int64_t dy = to.y - from.y;
     return dx * (kSub * row - from.y) - dy * (kSub * column - from.x);
@@ -25,8 +26,8 @@ struct Plane {
     double c = 0;
     double at(double x, double y) const { return a * x + b * y + c; }
 };
-Plane plane(const ScreenTriangle& triangle,
-            const std::function<double(const ScreenVertex&)>& value) {
+Plane plane(const RasterTriangle& triangle,
+            const std::function<double(const RasterVertex&)>& value) {
     const auto& [p, q, r] = triangle.vertices;
     const double x1 = (q.x - p.x) / 16.0;
     const double y1 = (q.y - p.y) / 16.0;
@@ -42,16 +43,16 @@ Plane plane(const ScreenTriangle& triangle,
     return result;
 }
 
-double depth_of(const ScreenVertex& v) {
+double depth_of(const RasterVertex& v) {
     return v.depth;
 }
-double intensity_of(const ScreenVertex& v) {
+double intensity_of(const RasterVertex& v) {
     return v.intensity;
 }
-double u_of(const ScreenVertex& v) {
+double u_of(const RasterVertex& v) {
     return v.u * v.depth / 256;
 }
-double v_of(const ScreenVertex& v) {
+double v_of(const RasterVertex& v) {
     return v.v * v.depth / 256;
 }
 
@@ -61,31 +62,32 @@ std::uint16_t word(std::int64_t value) {
 std::int64_t fixed(double value, int fraction) {
     return std::llround(std::ldexp(value, fraction));
 }
-void put_long(Descriptor& words, std::size_t at, std::int64_t value) {
+void put_long(DescriptorWords& words, std::size_t at, std::int64_t value) {
     words[at] = word(value);
     words[at + 1] = word(value >> 16);
 }
-void put_plane(Descriptor& words, std::size_t at, const Plane& plane) {
+void put_plane(DescriptorWords& words, std::size_t at, const Plane& plane, double added = 0) {
     put_long(words, at, fixed(plane.a, 16));
     put_long(words, at + 2, fixed(plane.b, 16));
-    put_long(words, at + 4, fixed(plane.c, 16));
+    put_long(words, at + 4, fixed(plane.c + added, 16));
 }
 
 // With slopes of few bits the value is exact at the first vertex.
-void put_intensity(Descriptor& words, std::size_t at, const ScreenTriangle& triangle) {
+void put_intensity(DescriptorWords& words, std::size_t at, const RasterTriangle& triangle) {
     const Plane exact = plane(triangle, intensity_of);
     const std::int64_t a = fixed(exact.a, 8);
     const std::int64_t b = fixed(exact.b, 8);
-    const ScreenVertex& origin = triangle.vertices[0];
+    const RasterVertex& origin = triangle.vertices[0];
     words[at] = word(a);
     words[at + 1] = word(b);
-    put_long(words, at + 2, fixed(origin.intensity, 16) - (a * origin.x + b * origin.y) * 16);
+    put_long(words, at + 2,
+             fixed(origin.intensity + kHalf, 16) - (a * origin.x + b * origin.y) * 16);
 }
 
-void put_edges(Descriptor& words, const ScreenTriangle& triangle) {
+void put_edges(DescriptorWords& words, const RasterTriangle& triangle) {
     for (std::size_t i = 0; i < 3; ++i) {
-        const ScreenVertex& from = triangle.vertices[i];
-        const ScreenVertex& to = triangle.vertices[(i + 1) % 3];
+        const RasterVertex& from = triangle.vertices[i];
+        const RasterVertex& to = triangle.vertices[(i + 1) % 3];
         const std::size_t at = 8 + 4 * i;
         words[at] = word(from.y - to.y);
         words[at + 1] = word(to.x - from.x);
@@ -98,7 +100,7 @@ struct Bounds {
     int greatest = 0;
 };
 // Whole pixels from the least to the greatest of a coordinate, in 0 to end - 1.
-Bounds bounds(const ScreenTriangle& triangle, int ScreenVertex::*coordinate, int end) {
+Bounds bounds(const RasterTriangle& triangle, int RasterVertex::*coordinate, int end) {
     const auto [least, greatest] =
         std::ranges::minmax({triangle.vertices[0].*coordinate, triangle.vertices[1].*coordinate,
                              triangle.vertices[2].*coordinate});
@@ -107,7 +109,7 @@ Bounds bounds(const ScreenTriangle& triangle, int ScreenVertex::*coordinate, int
 
 }  // namespace
 
-ScreenTriangle oriented(ScreenTriangle triangle) {
+RasterTriangle oriented(RasterTriangle triangle) {
     const auto& [p, q, r] = triangle.vertices;
     if ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) < 0) {
         std::swap(triangle.vertices[1], triangle.vertices[2]);
@@ -115,10 +117,10 @@ ScreenTriangle oriented(ScreenTriangle triangle) {
     return triangle;
 }
 
-Descriptor descriptor_of(const ScreenTriangle& triangle, int columns) {
-    Descriptor words{};
-    const Bounds x = bounds(triangle, &ScreenVertex::x, columns);
-    const Bounds y = bounds(triangle, &ScreenVertex::y, kScreenRows);
+DescriptorWords descriptor_of(const RasterTriangle& triangle, int columns) {
+    DescriptorWords words{};
+    const Bounds x = bounds(triangle, &RasterVertex::x, columns);
+    const Bounds y = bounds(triangle, &RasterVertex::y, kScreenRows);
     words[0] = word(x.least);
     words[1] = word(x.greatest);
     words[2] = word(y.least);
@@ -129,14 +131,14 @@ Descriptor descriptor_of(const ScreenTriangle& triangle, int columns) {
     put_edges(words, triangle);
     put_plane(words, 20, plane(triangle, depth_of));
     put_intensity(words, 26, triangle);
-    put_plane(words, 30, plane(triangle, u_of));
-    put_plane(words, 36, plane(triangle, v_of));
+    put_plane(words, 30, plane(triangle, u_of), kHalf);
+    put_plane(words, 36, plane(triangle, v_of), kHalf);
     return words;
 }
 
-void ReferencePicture::draw(const ScreenTriangle& triangle, const Sampler& sampler) {
-    const Bounds x = bounds(triangle, &ScreenVertex::x, columns_);
-    const Bounds y = bounds(triangle, &ScreenVertex::y, kScreenRows);
+void ReferencePicture::draw(const RasterTriangle& triangle, const Sampler& sampler) {
+    const Bounds x = bounds(triangle, &RasterVertex::x, columns_);
+    const Bounds y = bounds(triangle, &RasterVertex::y, kScreenRows);
     for (int row = y.least; row <= y.greatest; ++row) {
         for (int column = x.least; column <= x.greatest; ++column) {
             const auto& [p, q, r] = triangle.vertices;
@@ -148,7 +150,7 @@ void ReferencePicture::draw(const ScreenTriangle& triangle, const Sampler& sampl
     }
 }
 
-void ReferencePicture::sample(const ScreenTriangle& triangle, const Sampler& sampler, int column,
+void ReferencePicture::sample(const RasterTriangle& triangle, const Sampler& sampler, int column,
                               int row) {
     ReferencePixel& pixel = pixels_.at(static_cast<std::size_t>(row * columns_ + column));
     const double depth = plane(triangle, depth_of).at(column, row);

@@ -16,7 +16,7 @@ constexpr int kScreenRows = 512;
 
 // `x`, `y` in 1/16 pixel; depth 8192 to 65520, greater is nearer; intensity 0 to 255; u, v 0 to
 // 255.
-struct ScreenVertex {
+struct RasterVertex {
     int x = 0;
     int y = 0;
     double depth = 0;
@@ -28,17 +28,17 @@ struct ScreenVertex {
 using Colour = std::array<double, 3>;  // red, green, blue, 0 to 255
 
 // Counter-clockwise as seen, y down, so that its edges are >= 0 inside.
-struct ScreenTriangle {
-    std::array<ScreenVertex, 3> vertices;
+struct RasterTriangle {
+    std::array<RasterVertex, 3> vertices;
     std::array<std::uint8_t, 3> colour{};
     int texture = 0;
 };
 
 // Turned round if it is clockwise. Not for triangles without area.
-ScreenTriangle oriented(ScreenTriangle triangle);
+RasterTriangle oriented(RasterTriangle triangle);
 
 // Clipped to `columns` and kScreenRows (programs/vliw/memory.s).
-Descriptor descriptor_of(const ScreenTriangle& triangle, int columns);
+DescriptorWords descriptor_of(const RasterTriangle& triangle, int columns);
 
 struct ReferencePixel {
     bool drawn = false;
@@ -54,13 +54,13 @@ class ReferencePicture {
   public:
     explicit ReferencePicture(int columns)
         : columns_(columns), pixels_(static_cast<std::size_t>(columns * kScreenRows)) {}
-    void draw(const ScreenTriangle& triangle, const Sampler& sampler);
+    void draw(const RasterTriangle& triangle, const Sampler& sampler);
     const ReferencePixel& at(int column, int row) const {
         return pixels_.at(static_cast<std::size_t>(row * columns_ + column));
     }
 
   private:
-    void sample(const ScreenTriangle& triangle, const Sampler& sampler, int column, int row);
+    void sample(const RasterTriangle& triangle, const Sampler& sampler, int column, int row);
 
     int columns_;
     std::vector<ReferencePixel> pixels_;
