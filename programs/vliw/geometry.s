@@ -8,6 +8,7 @@
 
         .include "memory.s"
         .include "arithmetic.s"
+        .include "duplicate.s"
         .if ndf textured
 textured = 1
         .endc

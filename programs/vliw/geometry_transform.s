@@ -104,6 +104,7 @@ transform:
         product r8, r9, r3, r6
         sub_product r8, r9, r13, r7, r16, r17
         less32  r0, r0, r8, r9, r10, .and
+        sends   r11, r14, r15, r16
         st      r8, d_area(r29)
         st      r9, d_area+1(r29)
         st      r21, d_screen+0(r29)

@@ -1,9 +1,8 @@
 ; SPDX-License-Identifier: MIT
-; The renderer's options: a program that includes it may have set them otherwise before. Powers of two where it says so.
+; The renderer's options, as they are if they have not been set before. Another, `duplication`, is duplicate.s' own.
         .iif ndf line_locked, line_locked = 0   ; 1: a scanline is 910 cycles
         .iif ndf dense, dense = 1               ; communication, see communicate.s
         .iif ndf stride, stride = 1             ; ... a power of two; 1: no distribution
-        .iif ndf duplication, duplication = 1   ; copies of the database on the ring, a power of two: see duplicate.s
         .iif ndf textured, textured = 0         ; 1: polygons may have a texture
         .iif ndf early_abort, early_abort = 1   ; rasterising, see rasterise.s
         .iif ndf decoupled, decoupled = 1

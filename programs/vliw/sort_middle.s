@@ -4,7 +4,6 @@
         .include "options.s"
         .include "memory.s"
         .include "dispatch.s"
-        .include "duplicate.s"
         .include "geometry.s"
         .include "communicate.s"
         .include "normalise.s"

@@ -3,6 +3,7 @@
 // that several lanes hold.
 #include "programs/vliw_renderer.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -102,7 +103,7 @@ constexpr std::array<std::string_view, 1> kDuplicate = {"duplicate.s"};
 // Whether each of 16 lanes sends a polygon whose leftmost column is `first`.
 std::vector<bool> senders(int first, int copies) {
     constexpr std::string_view kStub =
-        "test_sends:\n wake\n ld r1, 0x1000\n sends r1, r2, r3, r4\n"
+        "test_sends:\n wake\n ld r1, 0x1000\n tge r0, r0\n sends r1, r2, r3, r4\n"
         " tget r5\n st r5, 0x1001\n halt\n";
     constexpr int kLanes = 16;
     VliwRenderer renderer(kDuplicate, kStub, "test_sends", {{"duplication", copies}}, kLanes);
@@ -120,10 +121,10 @@ std::vector<bool> senders(int first, int copies) {
 
 TEST(VliwDuplication, LetsTheLastCopyBeforeTheFirstDestinationSend) {
     for (const int copies : {2, 4, 8}) {
-        for (int first = 0; first < 16; ++first) {
+        for (int first = -3; first < 16; ++first) {
             std::vector<bool> expected(16);
             for (int back = 1; back <= 16 / copies; ++back) {
-                expected[static_cast<std::size_t>((first - back + 16) % 16)] = true;
+                expected[static_cast<std::size_t>((std::max(first, 0) - back + 16) % 16)] = true;
             }
             EXPECT_EQ(senders(first, copies), expected) << copies << " copies, column " << first;
         }
