@@ -31,14 +31,14 @@ kPreparations = 25                  ; descriptors prepared on a scanline
 
 reach = 1
 log2_stride = 0
-        .rept   10
+        .rept   9
         .if lt reach-stride
 reach = reach*2
 log2_stride = log2_stride+1
         .endc
         .endr
         .if ne reach-stride
-        .error  stride must be a power of two, 1 to 1024
+        .error  stride must be a power of two, 1 to 512
         .endc
 
 slot    = r1

@@ -222,6 +222,17 @@ TEST(VliwPasses, DistributedGoByStridesThenByOnes) {
     EXPECT_EQ(passes(renderer, "near_passes"), 4) << "from 5 to 8 and 9, from 9 to 10";
 }
 
+TEST(VliwPasses, AreFiveOnAScanlineOfALineLockedMachine) {
+    VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 0}, {"line_locked", 1}});
+    int most = 0;
+    for (int before = 0; renderer.run_scanline() == Ended::line;) {
+        const int now = passes(renderer, "near_passes");
+        most = std::max(most, now - before);
+        before = now;
+    }
+    EXPECT_EQ(most, 5);
+}
+
 TEST(VliwPasses, CostNoMoreThanEldridges) {
     constexpr int kOverhead = 30;
     for (const int stride : {2, 4, 8, 16}) {

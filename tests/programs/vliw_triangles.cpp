@@ -102,8 +102,8 @@ struct Bounds {
 // Whole pixels from the least to the greatest of a coordinate, in 0 to end - 1.
 Bounds bounds(const RasterTriangle& triangle, int RasterVertex::*coordinate, int end) {
     const auto [least, greatest] =
-        std::ranges::minmax({triangle.vertices[0].*coordinate, triangle.vertices[1].*coordinate,
-                             triangle.vertices[2].*coordinate});
+        std::minmax({triangle.vertices[0].*coordinate, triangle.vertices[1].*coordinate,
+                     triangle.vertices[2].*coordinate});
     return {std::max((least + kSub - 1) >> 4, 0), std::min(greatest >> 4, end - 1)};
 }
 
