@@ -109,6 +109,20 @@ TEST(Mesh, TellsWhichVertexIsNotFinite) {
                                           AllOf(HasSubstr("flag"), HasSubstr("vertex 1"))));
 }
 
+TEST(Mesh, WantsFiniteTextureCoordinatesForAllVerticesOrNone) {
+    Mesh mesh = one_triangle();
+    mesh.texture_coordinates = {{0, 0}, {1, 0}};
+    EXPECT_THAT([&] { check(mesh); },
+                ThrowsMessage<std::invalid_argument>(
+                    AllOf(HasSubstr("flag"), HasSubstr("2 texture coordinates for 3 vertices"))));
+    mesh.texture_coordinates.push_back({0, std::numeric_limits<double>::infinity()});
+    EXPECT_THAT([&] { check(mesh); },
+                ThrowsMessage<std::invalid_argument>(
+                    AllOf(HasSubstr("flag"), HasSubstr("vertex 2 has texture coordinates"))));
+    mesh.texture_coordinates[2] = {0, 1};
+    EXPECT_NO_THROW(check(mesh));
+}
+
 TEST(Mesh, TellsWhichPolygonNamesAVertexThatIsNotThere) {
     Mesh mesh = one_triangle();
     mesh.polygons.push_back({{0, 1, 7}, 0});
