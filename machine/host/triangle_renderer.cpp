@@ -18,6 +18,7 @@ namespace {
 constexpr int kSubpixels = 16;
 constexpr double kDepthUnit = 268435456;  // 2^28
 constexpr double kDepthFraction = 256;
+constexpr double kWidest = 0.999;  // |x'| / z' and |y'| / z' of a visible vertex
 
 struct Corner {
     std::int64_t x = 0, y = 0;  // 1/16 pixel, y downwards
@@ -35,7 +36,7 @@ class Eye {
         return turned(vertex.normal) / double{kUnitNormal};
     }
     glm::dvec3 place(const SceneVertex& vertex) const {
-        return turned(vertex.place) +
+        return glm::floor(turned(vertex.place) + 0.5) +
                glm::dvec3{view_.matrix[9], view_.matrix[10], view_.matrix[11]};
     }
 
@@ -135,12 +136,18 @@ class Painter {
                             result_.boxes.size(), triangle.texture, scene_.textures.size()));
     }
 
+    // Beyond, the programs' quotients are no words.
+    bool is_in_reach(const glm::dvec3& place) const {
+        return place.z >= view_.near &&
+               std::max(std::abs(place.x), std::abs(place.y)) < kWidest * place.z;
+    }
+
     std::optional<TriangleBox> paint(const SceneTriangle& triangle) {
         Corners corners;
         for (std::size_t k = 0; k < 3; ++k) {
             const SceneVertex& vertex = triangle.vertices[k];
             const glm::dvec3 place = eye_.place(vertex);
-            if (place.z < view_.near)
+            if (!is_in_reach(place))
                 return std::nullopt;
             const double depth = kDepthUnit / place.z;
             corners[k] = {eye_.screen_x(place),

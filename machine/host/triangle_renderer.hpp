@@ -3,14 +3,16 @@
 // draw (programs/vliw), by the same rules, but in double precision, without their tables and
 // without a machine.
 //
-// A triangle is visible when all of its vertices are `near` or farther (z'), it shows its front
-// (its vertices, rounded to 1/16 pixel, turn counter-clockwise and enclose an area) and its box,
-// the whole pixels from its least to its greatest coordinates, has some on the screen. Nothing is
-// clipped but the box. A pixel of the box is covered when it is on the inner side of all three
-// edges or on them. On a covered pixel depth 2^28/z', depth times u and v, and intensity are linear
-// functions of the screen. A pixel is drawn when its depth, in 1/256, is greater than what stands
-// there, so that of equal ones the first stays. Its levels are colour times intensity / 255,
-// to the nearest; a texture, bilinear between its texels, takes the place of the colour.
+// Places in eye space are rounded to whole numbers (halves up), places on the screen to 1/16 pixel.
+// A triangle is visible when all of its vertices are `near` or farther (z') and less far from the
+// axis than from the viewer (|x'| and |y'| below 0.999 z', which is far off the screen), it shows
+// its front (the vertices turn counter-clockwise and enclose an area) and its box, the whole pixels
+// from its least to its greatest coordinates, has some on the screen. Nothing is clipped but the
+// box. A pixel of the box is covered when it is on the inner side of all three edges or on them. On
+// a covered pixel depth 2^28/z', depth times u and v, and intensity are linear functions of the
+// screen. A pixel is drawn when its depth, in 1/256, is greater than what stands there, so that of
+// equal ones the first stays. Its levels are colour times intensity / 255, to the nearest; a
+// texture, bilinear between its texels, takes the place of the colour.
 #pragma once
 
 #include "machine/host/picture.hpp"

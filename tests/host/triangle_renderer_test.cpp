@@ -115,6 +115,18 @@ TEST(TriangleRenderer, LeavesOutWhatStandsTooNear) {
     EXPECT_EQ(render({triangle}, bare_view(4097)).visible, 0U);
 }
 
+TEST(TriangleRenderer, LeavesOutWhatReachesFarBesideTheScreen) {
+    const auto reaching = [](int right, int up) {
+        SceneTriangle triangle = flat({{{0, 0}, {10, 0}, {0, 10}}});
+        triangle.vertices[1].place[0] = static_cast<std::int16_t>(right);
+        triangle.vertices[2].place[1] = static_cast<std::int16_t>(up);
+        return render({triangle}).visible;
+    };
+    EXPECT_EQ(reaching(11180, 11180), 1U);
+    EXPECT_EQ(reaching(11200, 160), 0U);
+    EXPECT_EQ(reaching(160, 11200), 0U);
+}
+
 TEST(TriangleRenderer, CutsBoxesAtTheScreensSides) {
     const auto rendering =
         render({flat({{{-400, -300}, {400, -300}, {0, 500}}}), flat({{{32, 0}, {50, 0}, {50, 10}}}),
@@ -132,6 +144,17 @@ TEST(TriangleRenderer, ShowsTheNearestWhateverTheirOrder) {
         EXPECT_EQ(pixel(rendering, 34, 22), (Colour{40, 0, 0}));
         EXPECT_EQ(pixel(rendering, 30, 26), (Colour{0, 40, 0}));
     }
+}
+
+TEST(TriangleRenderer, RoundsPlacesInEyeSpaceToWholeNumbers) {
+    TriangleView view = bare_view();
+    view.matrix[6] = 512;  // z' grows by x / 32
+    SceneTriangle triangle = flat({{{0, 0}, {20, 0}, {0, 20}}});
+    for (SceneVertex& vertex : triangle.vertices)
+        vertex.place[0] = static_cast<std::int16_t>(vertex.place[0] + 16);
+    // Where x is 16, half a unit counts as one.
+    const auto rendering = render({triangle}, view);
+    EXPECT_EQ(rendering.depth.at(24 * 64 + 33), (std::uint64_t{1} << 36) / (kUnitPlace + 1));
 }
 
 TEST(TriangleRenderer, KeepsTheFirstOfTwoAtOneDepth) {
