@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lanes that have the memory of programs/vliw and nothing to do.
+// Lanes with a program that has the names of programs/vliw.
 #pragma once
 
 #include "isa/assembler.hpp"
@@ -10,28 +10,27 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace rasterloom {
 
-// With the programs' names; `options`: lines in front.
-inline isa::Image memory_image(const std::string& options = {}) {
+inline constexpr const char* kNothing =
+    "        .include \"memory.s\"\nstart:  halt\n        .end start\n";
+
+// A program in programs/vliw.
+inline isa::Image princeton_image(const std::string& source) {
     isa::AssemblerOptions folders;
     folders.include_dirs = {RASTERLOOM_SOURCE_DIR "/programs/vliw"};
-    const std::string source = options +
-                               "        .include \"memory.s\"\n"
-                               "start:  halt\n"
-                               "        .end start\n";
-    const isa::Assembly assembly =
-        isa::assemble_text(isa::vliw::vliw_isa(), "nothing.s", source, folders);
+    isa::Assembly assembly = isa::assemble_text(isa::vliw::vliw_isa(), "lanes.s", source, folders);
     if (!assembly.ok())
-        throw std::runtime_error("memory.s: " + assembly.diagnostics.front().message);
-    return assembly.image;
+        throw std::runtime_error(to_string(assembly.diagnostics));
+    return std::move(assembly.image);
 }
 
 class PrincetonLanes {
   public:
-    explicit PrincetonLanes(std::int64_t lanes, const std::string& options = {})
-        : image_(memory_image(options)),
+    explicit PrincetonLanes(std::int64_t lanes, const std::string& source = kNothing)
+        : image_(princeton_image(source)),
           array_(std::make_shared<isa::vliw::Program>(image_), {.lanes = lanes}) {}
 
     void load(const host::TriangleScene& scene, const host::TriangleView& view = {},

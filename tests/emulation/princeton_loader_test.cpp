@@ -60,7 +60,7 @@ RC_GTEST_PROP(PrincetonLoader, PutsEveryCopyOfAPolygonOnALaneOfItsResidue, ()) {
     const int copies = 1 << *rc::gen::inRange(0, 4);
     const int groups = *rc::gen::inRange(1, 20);
     const int polygons = *rc::gen::inRange(1, 200);
-    PrincetonLanes lanes(copies * groups, fmt::format("duplication = {}\n", copies));
+    PrincetonLanes lanes(copies * groups, fmt::format("duplication = {}\n{}", copies, kNothing));
     lanes.load(numbered(polygons));
     std::map<int, int> found;
     for (std::int64_t lane = 0; lane < lanes.array().lanes(); ++lane) {
@@ -78,7 +78,7 @@ RC_GTEST_PROP(PrincetonLoader, PutsEveryCopyOfAPolygonOnALaneOfItsResidue, ()) {
 RC_GTEST_PROP(PrincetonLoader, DividesTheRestOfTheRoomBetweenTheQueues, ()) {
     const int stride = 1 << *rc::gen::inRange(0, 3);
     const int polygons = *rc::gen::inRange(1, 2 * 1191);
-    PrincetonLanes lanes(2, fmt::format("stride = {}\n", stride));
+    PrincetonLanes lanes(2, fmt::format("stride = {}\n{}", stride, kNothing));
     lanes.load(numbered(polygons));
     const auto word = [&](const char* symbol) { return int{lanes.word(1, symbol)}; };
     const int descriptor = static_cast<int>(lanes.at("kDescriptor"));
@@ -175,7 +175,7 @@ class PrincetonLoaderErrors : public ::testing::Test {
     // What is said about `polygons` on `lanes`.
     static void expect(std::int64_t lanes, const std::string& options, int polygons,
                        const ::testing::Matcher<std::string>& message) {
-        PrincetonLanes array(lanes, options);
+        PrincetonLanes array(lanes, options + kNothing);
         EXPECT_THAT([&] { array.load(numbered(polygons)); },
                     ThrowsMessage<std::invalid_argument>(message));
     }
@@ -198,7 +198,7 @@ TEST_F(PrincetonLoaderErrors, SayHowManyPolygonsFitAndWhatLanesWouldDo) {
     expect(4, "duplication = 2\n", 2 * 1191 + 1,
            AllOf(HasSubstr("2 copies of each: 1192 on a lane"), HasSubstr("2382 in all"),
                  HasSubstr("; 6 lanes would do")));
-    PrincetonLanes(6, "duplication = 2\n").load(numbered(2 * 1191 + 1));
+    PrincetonLanes(6, std::string("duplication = 2\n") + kNothing).load(numbered(2 * 1191 + 1));
 }
 
 TEST_F(PrincetonLoaderErrors, WantLanesThatAreAMultipleOfTheCopies) {
@@ -240,7 +240,7 @@ TEST_F(PrincetonLoaderErrors, NameSymbolsThatTheProgramLacks) {
     image.symbols.erase("lamp");
     EXPECT_THAT(
         [&] { load_princeton(lanes.array(), image, numbered(1), {}, {}, {0}); },
-        ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("nothing.s"), HasSubstr("'lamp'"))));
+        ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("lanes.s"), HasSubstr("'lamp'"))));
 }
 
 }  // namespace
