@@ -24,8 +24,8 @@ SentEvent::Sort sort_of(const Event& event) {
 }  // namespace
 
 void CauseLog::sent(const Event& event, Time departure, EventId cause) {
-    sent_by_[static_cast<std::size_t>(event.source())].events.push_back(
-        {departure, event.time(), cause, sort_of(event)});
+    sent_by_[static_cast<std::size_t>(event.source())].events.emplace_back(departure, event.time(),
+                                                                           cause, sort_of(event));
 }
 
 const SentEvent* CauseLog::find(EventId event) const {
@@ -47,9 +47,9 @@ void CauseLog::walk_back(EventId last, Time began,
     };
     const SentEvent* event = find(last);
     for (EventId id = last; event != nullptr && event->arrival > began;) {
-        step(id.source, true, event->departure, event->arrival);
+        step(id.source, true, event->departure(), event->arrival);
         const SentEvent* cause = find(event->cause);
-        step(id.source, false, cause != nullptr ? cause->arrival : began, event->departure);
+        step(id.source, false, cause != nullptr ? cause->arrival : began, event->departure());
         id = event->cause;
         event = cause;
     }
@@ -65,44 +65,36 @@ std::optional<EventId> CauseLog::message_in_hand(EventId event) const {
         if (sent == nullptr || sent->cause != own->cause) {
             break;
         }
-        if (sent->sort == SentEvent::Sort::delivers_message) {
+        if (sent->sort() == SentEvent::Sort::delivers_message) {
             return before;
         }
     }
     return std::nullopt;
 }
 
-EventId* CauseLog::found_message(EventId event) {
-    Sent& sent = sent_by_[static_cast<std::size_t>(event.source)];
-    if (sent.messages.size() < sent.events.size()) {
-        sent.messages.resize(sent.events.size(), kNoCause);
-    }
-    return &sent.messages[event.sequence - sent.first];
-}
-
 std::optional<EventId> CauseLog::message_behind(EventId event) {
-    std::vector<EventId> walked;
+    walked_.clear();
     EventId found = kNoCause;
-    const SentEvent* at = find(event);
+    SentEvent* at = find(event);
     while (at != nullptr && found == kNoCause) {
-        found = *found_message(event);
+        found = at->message;
         if (found != kNoCause) {
             break;
         }
-        walked.push_back(event);
-        if (at->sort == SentEvent::Sort::to_itself) {
+        walked_.push_back(at);
+        if (at->sort() == SentEvent::Sort::to_itself) {
             found = message_in_hand(event).value_or(kNoCause);
         }
         if (found == kNoCause) {
             event = at->cause;
             at = find(event);
-            if (at != nullptr && at->sort == SentEvent::Sort::delivers_message) {
+            if (at != nullptr && at->sort() == SentEvent::Sort::delivers_message) {
                 found = event;
             }
         }
     }
-    for (const EventId passed : walked) {
-        *found_message(passed) = found;
+    for (SentEvent* passed : walked_) {
+        passed->message = found;
     }
     return found == kNoCause ? std::nullopt : std::optional(found);
 }
@@ -115,10 +107,6 @@ void CauseLog::forget_before(Time time) {
             sent.events.begin();
         sent.first += static_cast<std::uint32_t>(old);
         sent.events.erase(sent.events.begin(), sent.events.begin() + old);
-        sent.messages.erase(
-            sent.messages.begin(),
-            sent.messages.begin() +
-                std::min<std::ptrdiff_t>(old, static_cast<std::ptrdiff_t>(sent.messages.size())));
     }
 }
 

@@ -12,13 +12,28 @@
 
 namespace rasterloom::observe {
 
-struct SentEvent {
+// Half a cache line: walks back go from one to the next, and each is somewhere else in memory.
+class SentEvent {
+  public:
     enum class Sort : std::uint8_t { other, delivers_message, to_itself };
 
-    Time departure;
+    SentEvent(Time departure, Time arrival, EventId cause, Sort sort)
+        : arrival(arrival),
+          cause(cause),
+          on_wire_and_sort_(static_cast<std::uint64_t>((arrival - departure).picoseconds()) << 8U |
+                            static_cast<std::uint64_t>(sort)) {}
+
+    Time departure() const {
+        return arrival - Duration::picoseconds(static_cast<std::int64_t>(on_wire_and_sort_ >> 8U));
+    }
+    Sort sort() const { return static_cast<Sort>(on_wire_and_sort_ & 0xffU); }
+
     Time arrival;
-    EventId cause = kNoCause;
-    Sort sort = Sort::other;
+    EventId cause;
+    EventId message = kNoCause;  // what message_behind() has found, once it has been asked
+
+  private:
+    std::uint64_t on_wire_and_sort_;
 };
 
 // Time that one component took between what made it act and what it sent then, or time on the wire
@@ -59,15 +74,15 @@ class CauseLog final : public CauseListener {
     struct Sent {
         std::uint32_t first = 0;  // sequence of the first that is remembered
         std::vector<SentEvent> events;
-        // What message_behind() has found: kNoCause as long as it has not been asked. Made when
-        // first asked, and shorter than `events` then.
-        std::vector<EventId> messages;
     };
 
     std::optional<EventId> message_in_hand(EventId event) const;
-    EventId* found_message(EventId event);
+    SentEvent* find(EventId event) {
+        return const_cast<SentEvent*>(static_cast<const CauseLog*>(this)->find(event));
+    }
 
-    std::vector<Sent> sent_by_;  // [component]
+    std::vector<Sent> sent_by_;       // [component]
+    std::vector<SentEvent*> walked_;  // by message_behind(), the last time
 };
 
 }  // namespace rasterloom::observe
