@@ -40,6 +40,9 @@ Observers::Observers(Machine& machine, observe::PhaseLog& phases, const Listener
         merger_.forward_to(static_cast<NodeListener&>(*trace));
         merger_.forward_to(static_cast<SupervisorListener&>(*trace));
         merger_.forward_to(static_cast<PartListener&>(*trace));
+        if (trace->wants_queues()) {
+            merger_.keep_queue_changes();
+        }
     }
     if (!listeners.traces.empty()) {
         merger_.keep_intervals();

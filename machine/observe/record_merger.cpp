@@ -31,10 +31,11 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
                                                        public SupervisorListener,
                                                        public PartListener {
   public:
-    explicit Keeper(const bool& keeps_intervals) : keeps_intervals_(keeps_intervals) {}
+    Keeper(const bool& keeps_intervals, const bool& keeps_changes)
+        : keeps_intervals_(keeps_intervals), keeps_changes_(keeps_changes) {}
 
     void queue_changed(const QueueChange& change) override {
-        if (keeps_intervals_) {
+        if (keeps_changes_) {
             changes.push_back(change);
         }
     }
@@ -67,13 +68,14 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
 
   private:
     const bool& keeps_intervals_;
+    const bool& keeps_changes_;
 };
 
 RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of,
                            Order order)
     : component_of_(std::move(component_of)), order_(order) {
     for (std::size_t partition = 0; partition < partitions; ++partition) {
-        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_));
+        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_, keeps_changes_));
     }
 }
 

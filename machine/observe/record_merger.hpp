@@ -34,9 +34,11 @@ class RecordMerger {
     RecordMerger(const RecordMerger&) = delete;
     RecordMerger& operator=(const RecordMerger&) = delete;
 
-    // Has states of nodes, and what parts tell, kept: before anything is told. Changes of queues,
-    // of parts too, are told to those who listen to nodes.
+    // Has states of nodes, and what parts tell, kept: before anything is told.
     void keep_intervals() { keeps_intervals_ = true; }
+    // Has changes of queues kept, likewise. Those of parts too are told to those who listen to
+    // nodes.
+    void keep_queue_changes() { keeps_changes_ = true; }
 
     // To be attached to the nodes and the supervisor in this partition.
     NodeListener& for_nodes(std::size_t partition);
@@ -99,6 +101,7 @@ class RecordMerger {
     std::vector<ComponentId> component_of_;
     Order order_;
     bool keeps_intervals_ = false;
+    bool keeps_changes_ = false;
     Due<StateInterval> due_;
     Due<PartRecord> due_of_parts_;
     Due<QueueChange> due_changes_;

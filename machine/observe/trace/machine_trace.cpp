@@ -48,7 +48,8 @@ MachineTrace::MachineTrace(const std::filesystem::path& path, MachineNames names
     : names_(std::move(names)),
       file_(path, scale_for(names_.cycle)),
       tracks_(names_.components.size()),
-      queues_(names_.components.size() * kQueuePlaces) {
+      queues_(names_.components.size() * kQueuePlaces),
+      link_names_(names_.components.size()) {
     const PerfettoFile::Track root = file_.add_track(title(names_), 0);
     phases_ = file_.add_track("phases", root);
     add_parts(root);
@@ -83,8 +84,8 @@ void MachineTrace::add_parts(PerfettoFile::Track root) {
 }
 
 PerfettoFile::Name MachineTrace::name_of(const StateInterval& interval) {
-    const int key = static_cast<int>(interval.state) * kActivities + interval.activity;
-    PerfettoFile::Name& name = state_names_[key];
+    PerfettoFile::Name& name =
+        state_names_[static_cast<std::size_t>(interval.state) * kActivities + interval.activity];
     if (name == 0) {
         const bool named = interval.state == NodeState::busy &&
                            interval.activity < names_.activities.size() &&
@@ -180,11 +181,20 @@ void MachineTrace::message_consumed(const MessageRecord& message) {
         return;
     }
     const PerfettoFile::Flow flow = message.id + 1;
-    file_.instant(track(names_.nodes[message.source()]), name_of(Part::sent, message),
-                  message.queued, flow);
-    file_.slice(link_track(message.delivery.source), name_of(Part::carried, message),
-                message.started, message.delivered - names_.latency, flow);
-    file_.instant(track(destination), name_of(Part::taken, message), message.consumed, flow, true);
+    const LinkNames& names = names_on_link(message);
+    file_.instant(track(names_.nodes[message.source()]), names.sent, message.queued, flow);
+    file_.slice(link_track(message.delivery.source), names.carried, message.started,
+                message.delivered - names_.latency, flow);
+    file_.instant(track(destination), names.taken, message.consumed, flow, true);
+}
+
+const MachineTrace::LinkNames& MachineTrace::names_on_link(const MessageRecord& message) {
+    LinkNames& names = link_names_[static_cast<std::size_t>(message.delivery.source)];
+    if (names.sent == 0 || names.bytes != message.bytes || names.kind != message.kind) {
+        names = {message.bytes, message.kind, name_of(Part::sent, message),
+                 name_of(Part::carried, message), name_of(Part::taken, message)};
+    }
+    return names;
 }
 
 void MachineTrace::phase_ended(const PhaseRecord& phase) {

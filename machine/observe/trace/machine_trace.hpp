@@ -9,6 +9,7 @@
 #include "machine/observe/trace/perfetto_file.hpp"
 #include "machine/observe/trace/trace_sink.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <unordered_map>
@@ -25,6 +26,7 @@ class MachineTrace final : public TraceSink {
     void message_consumed(const MessageRecord& message) override;
     void phase_ended(const PhaseRecord& phase) override;
     void part_interval_ended(const PartInterval& interval) override;
+    bool wants_queues() const override { return true; }
     void queue_changed(const QueueChange& change) override;
     void close(const RunReport& report, const std::vector<CriticalPath>& paths) override;
 
@@ -43,6 +45,15 @@ class MachineTrace final : public TraceSink {
         int written = 0;
     };
 
+    // What is written about messages of one sort over a link: nearly always the same as before.
+    struct LinkNames {
+        std::uint32_t bytes = 0;
+        std::uint8_t kind = 0;
+        PerfettoFile::Name sent = 0;
+        PerfettoFile::Name carried = 0;
+        PerfettoFile::Name taken = 0;
+    };
+
     void add_nodes(PerfettoFile::Track root);
     void add_parts(PerfettoFile::Track root);
     PerfettoFile::Track track(ComponentId component) const {
@@ -51,6 +62,7 @@ class MachineTrace final : public TraceSink {
     PerfettoFile::Track link_track(ComponentId link);
     PerfettoFile::Track add_queue(ComponentId component, QueuePlace place);
     PerfettoFile::Name name_of(Part part, const MessageRecord& message);
+    const LinkNames& names_on_link(const MessageRecord& message);
     PerfettoFile::Name name_of(const StateInterval& interval);
     void write_queue(std::size_t index);
 
@@ -63,7 +75,8 @@ class MachineTrace final : public TraceSink {
     std::vector<PerfettoFile::Track> tracks_;  // [component], 0 as long as it has none
     std::vector<Queue> queues_;                // [component x kQueuePlaces + place]
     std::unordered_map<std::uint64_t, PerfettoFile::Name> message_names_;  // by what they say
-    std::unordered_map<int, PerfettoFile::Name> state_names_;              // by state and activity
+    std::vector<LinkNames> link_names_;                                    // [component]
+    std::array<PerfettoFile::Name, kNodeStates * kActivities> state_names_{};
 };
 
 }  // namespace rasterloom::observe

@@ -4,12 +4,10 @@
 #include "machine/observe/output_folder.hpp"
 
 #include <array>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
 #include <protozero/pbf_writer.hpp>
-#include <protozero/varint.hpp>
 
 namespace rasterloom::observe {
 
@@ -46,36 +44,53 @@ constexpr protozero::pbf_tag_type iid = 1, name = 2;  // of each
 
 }  // namespace
 
-// A message's fields, as protobuf encodes them. An event has few, and there are millions of events:
-// so they have a place of their own on the stack.
-class PerfettoFile::Fields {
+// A packet with one event, encoded in one go: there are millions of them. That its parts are
+// shorter than 128 bytes is known beforehand, so that one byte is left for the length of each.
+class PerfettoFile::EventPacket {
   public:
+    explicit EventPacket(std::uint64_t timestamp) {
+        begin(trace_file::packet);
+        number(packet::timestamp, timestamp);
+        number(packet::sequence_id, kSequence);
+        number(packet::sequence_flags, packet::needs_state);
+        begin(packet::track_event);
+    }
     void number(protozero::pbf_tag_type tag, std::uint64_t value) {
         put(std::uint64_t{tag} << 3U);
         put(value);
     }
     void fixed(protozero::pbf_tag_type tag, std::uint64_t value) {
         put(std::uint64_t{tag} << 3U | 1U);
-        for (int byte = 0; byte < 8; ++byte) {
+        for (unsigned byte = 0; byte < 8; ++byte) {
             bytes_[size_++] = static_cast<char>(value >> 8 * byte & 0xffU);
         }
     }
-    void message(protozero::pbf_tag_type tag, const Fields& fields) {
-        put(std::uint64_t{tag} << 3U | 2U);
-        put(fields.size_);
-        std::memcpy(bytes_.data() + size_, fields.bytes_.data(), fields.size_);
-        size_ += fields.size_;
+    // Both messages end here.
+    std::string_view finished() {
+        for (const std::size_t start : starts_) {
+            bytes_[start] = static_cast<char>(size_ - start - 1);
+        }
+        return {bytes_.data(), size_};
     }
-    std::string_view text() const { return {bytes_.data(), size_}; }
 
   private:
+    void begin(protozero::pbf_tag_type tag) {
+        put(std::uint64_t{tag} << 3U | 2U);
+        starts_[depth_++] = size_++;
+    }
     void put(std::uint64_t value) {
-        size_ += static_cast<std::size_t>(protozero::write_varint(bytes_.data() + size_, value));
+        while (value >= 0x80) {
+            bytes_[size_++] = static_cast<char>(value | 0x80U);
+            value >>= 7U;
+        }
+        bytes_[size_++] = static_cast<char>(value);
     }
 
     // Of an event at most 4 fields of 12 bytes; of its packet 3 more, and twice a length.
     std::array<char, 128> bytes_;
     std::size_t size_ = 0;
+    std::array<std::size_t, 2> starts_{};  // of the messages: where their lengths are
+    std::size_t depth_ = 0;
 };
 
 PerfettoFile::PerfettoFile(std::filesystem::path path, std::int64_t scale)
@@ -169,7 +184,7 @@ std::uint64_t PerfettoFile::nanoseconds(Time time) const {
 
 void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time, Flow flow,
                          bool flow_ends) {
-    Fields event;
+    EventPacket event(nanoseconds(time));
     event.number(track_event::type, type);
     if (name != 0) {
         event.number(track_event::name_iid, name);
@@ -178,18 +193,11 @@ void PerfettoFile::event(Track track, std::uint64_t type, Name name, Time time, 
     if (flow != 0) {
         event.fixed(flow_ends ? track_event::terminating_flow_ids : track_event::flow_ids, flow);
     }
-    add_event(event, time);
+    add_event(event);
 }
 
-void PerfettoFile::add_event(const Fields& event, Time time) {
-    Fields packet;
-    packet.number(packet::timestamp, nanoseconds(time));
-    packet.number(packet::sequence_id, kSequence);
-    packet.number(packet::sequence_flags, packet::needs_state);
-    packet.message(packet::track_event, event);
-    Fields file;
-    file.message(trace_file::packet, packet);
-    buffer_.append(file.text());
+void PerfettoFile::add_event(EventPacket& event) {
+    buffer_.append(event.finished());
     if (buffer_.size() >= kFlushAt) {
         flush();
     }
@@ -197,11 +205,11 @@ void PerfettoFile::add_event(const Fields& event, Time time) {
 }
 
 void PerfettoFile::count(Track counter, Time at, std::int64_t value) {
-    Fields event;
+    EventPacket event(nanoseconds(at));
     event.number(track_event::type, track_event::counter);
     event.number(track_event::track_uuid, counter);
     event.number(track_event::counter_value, static_cast<std::uint64_t>(value));
-    add_event(event, at);
+    add_event(event);
 }
 
 void PerfettoFile::slice(Track track, Name name, Time from, Time to, Flow flow) {

@@ -56,9 +56,9 @@ class PerfettoFile {
 
     Track describe_track(std::string_view name, Track parent, bool is_counter);
     std::uint64_t nanoseconds(Time time) const;
-    class Fields;
+    class EventPacket;
     void event(Track track, std::uint64_t type, Name name, Time time, Flow flow, bool flow_ends);
-    void add_event(const Fields& event, Time time);
+    void add_event(EventPacket& event);
     void add_packet(const std::string& packet);
     void flush();
 

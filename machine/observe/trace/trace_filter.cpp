@@ -8,6 +8,7 @@ namespace rasterloom::observe {
 TraceFilter::TraceFilter(std::unique_ptr<TraceSink> sink, const TraceWindow& window,
                          std::vector<ComponentId> nodes, std::size_t components)
     : sink_(std::move(sink)),
+      wants_queues_(sink_->wants_queues()),
       window_(window),
       nodes_(std::move(nodes)),
       waiting_at_window_(components * kQueuePlaces) {
@@ -33,7 +34,7 @@ void TraceFilter::interval_ended(const StateInterval& interval) {
 
 // What stands in a queue when the window opens has come at that time, for who looks through it.
 void TraceFilter::queue_changed(const QueueChange& change) {
-    if (!has(change.component) || change.time >= window_.to) {
+    if (!wants_queues_ || !has(change.component) || change.time >= window_.to) {
         return;
     }
     const std::size_t queue = static_cast<std::size_t>(change.component) * kQueuePlaces +

@@ -29,6 +29,7 @@ class TraceFilter final : public TraceSink {
                 std::vector<ComponentId> nodes, std::size_t components);
 
     void interval_ended(const StateInterval& interval) override;
+    bool wants_queues() const override { return wants_queues_; }
     void queue_changed(const QueueChange& change) override;
     void message_consumed(const MessageRecord& message) override;
     void phase_ended(const PhaseRecord& phase) override;
@@ -45,6 +46,7 @@ class TraceFilter final : public TraceSink {
     bool wants(const MessageRecord& message, ComponentId receiver) const;
 
     std::unique_ptr<TraceSink> sink_;
+    bool wants_queues_;
     TraceWindow window_;
     std::vector<ComponentId> nodes_;
     std::vector<bool> wanted_;  // [component]; empty: all

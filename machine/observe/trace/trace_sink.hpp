@@ -15,7 +15,9 @@ namespace rasterloom::observe {
 
 class TraceSink : public NodeListener, public SupervisorListener, public PartListener {
   public:
-    // All changes of queues, those that messages' records tell, too: they add up.
+    // Whether it is to be told changes of queues: all, those that messages' records tell, too. They
+    // add up.
+    virtual bool wants_queues() const { return false; }
     void queue_changed(const QueueChange&) override {}
     // The run is over, and everything has been told; `paths` of all frames, where they are known.
     // Throws OutputError when not everything could be written.
