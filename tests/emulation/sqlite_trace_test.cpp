@@ -46,6 +46,8 @@ class SqliteTrace : public testing::Test {
 
 void SqliteTrace::expect_consistent(const RunOutcome& outcome) const {
     ASSERT_EQ(outcome.failure, "");
+    EXPECT_EQ(number("SELECT count(*) FROM pragma_integrity_check WHERE integrity_check = 'ok'"),
+              1);
     EXPECT_EQ(number("SELECT count(*) FROM message JOIN component ON component.id = receiver WHERE "
                      "component.kind = 'node'"),
               outcome.report.messages());
@@ -202,6 +204,21 @@ TEST_F(SqliteTrace, AnswersTheQuestionsOfTheDocumentation) {
         ++questions;
     }
     EXPECT_EQ(questions, 5);
+}
+
+TEST_F(SqliteTrace, HasAnIndexForWhatIsAskedOfItMost) {
+    ASSERT_EQ(run(small_geodesic()).failure, "");
+    const Database trace = Database::open(file_, Database::Access::read);
+    for (const char* question : {
+             "SELECT * FROM message WHERE event = 1",
+             "SELECT * FROM message WHERE receiver = 1 AND delivered_ps > 1",
+             "SELECT * FROM message WHERE carrier = 1 AND started_ps > 1",
+             "SELECT * FROM state WHERE component = 1 AND from_ps > 1",
+         }) {
+        observe::Statement plan = trace.prepare(std::string("EXPLAIN QUERY PLAN ") + question);
+        ASSERT_TRUE(plan.step());
+        EXPECT_THAT(plan.column<std::string>(3), testing::HasSubstr("USING INDEX")) << question;
+    }
 }
 
 TEST_F(SqliteTrace, OfABareProcessorHasNoPathAndNoMessages) {

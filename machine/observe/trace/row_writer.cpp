@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/trace/row_writer.hpp"
 
+#include <span>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace rasterloom::observe {
 
@@ -12,19 +11,13 @@ namespace {
 constexpr std::size_t kBatch = 1 << 13;    // numbers; malloc maps larger ones anew each time
 constexpr std::size_t kMostWaiting = 128;  // batches: 8 MiB
 
-std::string insertion(const RowWriter::Table& table) {
-    std::string values = "?";
-    for (int column = 1; column < table.columns; ++column) {
-        values += ", ?";
-    }
-    return fmt::format("INSERT INTO {} VALUES ({})", table.name, values);
-}
-
 }  // namespace
 
-RowWriter::RowWriter(const Database& database, const std::vector<Table>& tables) {
-    for (const Table& table : tables) {
-        targets_.push_back({database.prepare(insertion(table)), table.columns});
+RowWriter::RowWriter(const std::filesystem::path& path, const std::vector<std::string>& tables)
+    : file_(path) {
+    const Database database = Database::open(path, Database::Access::read);
+    for (const std::string& table : tables) {
+        tables_.emplace_back(file_, BulkTable::layout_of(database, table));
     }
     filling_.reserve(kBatch);
     thread_ = std::thread([this] { work(); });
@@ -81,14 +74,10 @@ void RowWriter::work() {
 }
 
 void RowWriter::write(const Batch& batch) {
-    for (std::size_t at = 0; at < batch.size();) {
-        Target& target = targets_[static_cast<std::size_t>(batch[at++])];
-        for (int column = 1; column <= target.columns; ++column) {
-            const std::int64_t value = batch[at++];
-            value == kNull ? target.insert.bind(column, nullptr)
-                           : target.insert.bind(column, value);
-        }
-        target.insert.run();
+    for (std::span<const std::int64_t> rest(batch); !rest.empty();) {
+        BulkTable& table = tables_[static_cast<std::size_t>(rest[0])];
+        table.add(rest.subspan(1, table.columns()));
+        rest = rest.subspan(1 + table.columns());
     }
 }
 
@@ -109,7 +98,10 @@ void RowWriter::finish() {
     if (failure_ != nullptr) {
         std::rethrow_exception(failure_);
     }
-    targets_.clear();
+    for (BulkTable& table : tables_) {
+        table.finish();
+    }
+    file_.close();
 }
 
 }  // namespace rasterloom::observe

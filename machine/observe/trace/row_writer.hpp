@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Writes rows of numbers into a database on a thread of its own, in the order in which they were
-// added: inserting a row takes longer than making it. Rows wait in batches, of which only so many
-// may wait.
+// Writes rows of numbers into the tables of a SQLite file on a thread of its own, in the order in
+// which they were added. Rows wait in batches, of which only so many may wait.
 #pragma once
 
-#include "machine/observe/database.hpp"
+#include "machine/observe/trace/bulk_table.hpp"
+#include "machine/observe/trace/page_file.hpp"
 
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <exception>
+#include <filesystem>
 #include <initializer_list>
-#include <limits>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -22,23 +22,17 @@ namespace rasterloom::observe {
 
 class RowWriter {
   public:
-    // In place of a number: NULL.
-    static constexpr std::int64_t kNull = std::numeric_limits<std::int64_t>::min();
-    struct Table {
-        std::string name;
-        int columns = 0;
-    };
-
-    // The database must outlive this, and nobody else may use it before finish().
-    RowWriter(const Database& database, const std::vector<Table>& tables);
+    // Of a file with these tables, which are empty. Nobody else may use it before finish(). Throws
+    // OutputError when it cannot be opened.
+    RowWriter(const std::filesystem::path& path, const std::vector<std::string>& tables);
     RowWriter(const RowWriter&) = delete;
     RowWriter& operator=(const RowWriter&) = delete;
     ~RowWriter();
 
-    // A row of the table with this number, a value a column. Throws what an earlier row has failed
+    // A row of the table with this number (BulkTable::add). Throws what an earlier row has failed
     // with.
     void add(std::size_t table, std::initializer_list<std::int64_t> values);
-    // Waits until all rows are written. Throws what a row has failed with.
+    // Waits until all rows are written, and writes the indices. Throws what a row has failed with.
     void finish();
 
   private:
@@ -49,12 +43,8 @@ class RowWriter {
     void write(const Batch& batch);
     void end_thread();
 
-    struct Target {
-        Statement insert;
-        int columns;
-    };
-
-    std::vector<Target> targets_;
+    PageFile file_;
+    std::deque<BulkTable> tables_;
     Batch filling_;
     std::mutex mutex_;
     std::condition_variable changed_;

@@ -28,31 +28,55 @@ void write_run(const Database& database, const RunReport& report, const MachineN
 
 }  // namespace
 
-void SqliteTrace::write_node(Statement& summary, Statement& phases, std::int64_t component,
-                             const NodeReport& node) {
+void SqliteTrace::add_node(ComponentId id, const NodeReport& node) {
+    const auto component = static_cast<std::int64_t>(id);
     const NodeStatistics& counted = node.statistics;
-    int parameter = 0;
-    const auto bind = [&](std::int64_t value) { summary.bind(++parameter, value); };
-    bind(component);
-    bind(counted.instructions);
-    bind(counted.cycles);
-    for (int state = 0; state < kNodeStates; ++state) {
-        bind(number(counted.in_state(static_cast<NodeState>(state))));
-    }
-    bind(node.messages_sent);
-    bind(node.bytes_sent);
-    bind(node.messages_received);
-    bind(node.bytes_received);
-    bind(node.peak_output_queue);
-    bind(node.peak_input_queue);
-    summary.run();
+    const auto time_in = [&](NodeState state) { return number(counted.in_state(state)); };
+    rows_->add(kNodeSummaryTable,
+               {component, counted.instructions, counted.cycles, time_in(NodeState::busy),
+                time_in(NodeState::waiting_input), time_in(NodeState::waiting_output),
+                time_in(NodeState::waiting_phase), time_in(NodeState::waiting_interrupt),
+                node.messages_sent, node.bytes_sent, node.messages_received, node.bytes_received,
+                std::int64_t{node.peak_output_queue}, std::int64_t{node.peak_input_queue}});
     for (std::size_t phase = 0; phase < counted.phases.size(); ++phase) {
         const Duration busy =
             counted.phases[phase].in_state[static_cast<std::size_t>(NodeState::busy)];
-        phases.bind(1, component)
-            .bind(2, static_cast<std::int64_t>(phase))
-            .bind(3, number(busy))
-            .run();
+        rows_->add(kNodePhaseTable, {component, static_cast<std::int64_t>(phase), number(busy)});
+    }
+}
+
+// Rows are added by component, the order of the tables.
+void SqliteTrace::add_summaries(const RunReport& report) {
+    std::map<ComponentId, const NodeReport*> nodes;
+    for (std::size_t node = 0; node < report.nodes.size(); ++node) {
+        nodes[names_.nodes[node]] = &report.nodes[node];
+    }
+    for (const auto& [component, node] : nodes) {
+        add_node(component, *node);
+    }
+    for (std::size_t i = 0; i < report.links.size(); ++i) {
+        const LinkReport& link = report.links[i];
+        rows_->add(kLinkSummaryTable,
+                   {static_cast<std::int64_t>(names_.links[i].link), link.messages, link.bytes,
+                    number(link.busy), number(link.blocked), std::int64_t{link.peak_output_queue},
+                    std::int64_t{link.peak_input_queue}});
+    }
+    add_blame();
+}
+
+void SqliteTrace::add_blame() {
+    for (std::size_t component = 0; component < blame_.size(); ++component) {
+        for (std::size_t on_wire = 0; on_wire < 2; ++on_wire) {
+            for (std::size_t state = 0; state < kNodeStates; ++state) {
+                const Blame& blame = blame_[component][on_wire][state];
+                if (blame.waits > 0) {
+                    rows_->add(
+                        kWaitCauseTable,
+                        {static_cast<std::int64_t>(state), static_cast<std::int64_t>(component),
+                         static_cast<std::int64_t>(on_wire), blame.waits, number(blame.time)});
+                }
+            }
+        }
     }
 }
 
@@ -82,25 +106,6 @@ void SqliteTrace::write_parts(const RunReport& report) {
 
 void SqliteTrace::write_summaries(const RunReport& report) {
     write_run(*database_, report, names_);
-    Statement summary = database_->prepare(
-        "INSERT INTO node_summary VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    Statement phases = database_->prepare("INSERT INTO node_phase VALUES (?, ?, ?)");
-    for (std::size_t node = 0; node < report.nodes.size(); ++node) {
-        write_node(summary, phases, static_cast<std::int64_t>(names_.nodes[node]),
-                   report.nodes[node]);
-    }
-    Statement links = database_->prepare("INSERT INTO link_summary VALUES (?, ?, ?, ?, ?, ?, ?)");
-    for (std::size_t i = 0; i < report.links.size(); ++i) {
-        const LinkReport& link = report.links[i];
-        links.bind(1, static_cast<std::int64_t>(names_.links[i].link))
-            .bind(2, link.messages)
-            .bind(3, link.bytes)
-            .bind(4, number(link.busy))
-            .bind(5, number(link.blocked))
-            .bind(6, std::int64_t{link.peak_output_queue})
-            .bind(7, std::int64_t{link.peak_input_queue})
-            .run();
-    }
     write_parts(report);
 }
 

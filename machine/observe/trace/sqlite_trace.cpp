@@ -14,9 +14,6 @@ namespace rasterloom::observe {
 
 namespace {
 
-constexpr std::size_t kStateTable = 0;
-constexpr std::size_t kMessageTable = 1;
-
 // States of parts are numbered after those of nodes.
 constexpr int kPartStates = kNodeStates;
 
@@ -59,31 +56,34 @@ Statement insert(const Database& database, const std::string& table, int columns
 
 SqliteTrace::SqliteTrace(std::filesystem::path path, MachineNames names, CauseLog* causes)
     : path_(std::move(path)),
-      partial_(path_.string() + ".partial"),
+      partial_{path_.string() + ".partial"},
       names_(std::move(names)),
       causes_(causes),
       blame_(names_.components.size()) {
     std::error_code ignored;
-    std::filesystem::remove(partial_, ignored);
-    database_.emplace(Database::open(partial_, Database::Access::change));
-    // Nobody else sees the file before it is complete, and a broken one is thrown away.
-    database_->execute(
-        fmt::format("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = "
-                    "EXCLUSIVE; PRAGMA threads = 1; PRAGMA cache_size = -8192; PRAGMA "
-                    "application_id = {}; PRAGMA "
-                    "user_version = {}; BEGIN",
-                    kTraceApplication, kTraceFormat));
+    std::filesystem::remove(partial_.path, ignored);
+    open_database();
+    database_->execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; BEGIN",
+                                   kTraceApplication, kTraceFormat));
     database_->execute(kTraceTables);
     write_names();
-    rows_.emplace(*database_, std::vector<RowWriter::Table>{{"state", 6}, {"message", 14}});
+    database_->execute("COMMIT");
+    database_.reset();
+    rows_.emplace(partial_.path, std::vector<std::string>{std::begin(kTables), std::end(kTables)});
 }
 
-SqliteTrace::~SqliteTrace() {
-    if (database_) {
-        rows_.reset();
-        database_.reset();
+void SqliteTrace::open_database() {
+    database_.emplace(Database::open(partial_.path, Database::Access::change));
+    // Nobody else sees the file before it is complete, and a broken one is thrown away.
+    database_->execute(
+        "PRAGMA auto_vacuum = NONE; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA "
+        "locking_mode = EXCLUSIVE");
+}
+
+SqliteTrace::PartialFile::~PartialFile() {
+    if (!is_complete) {
         std::error_code ignored;
-        std::filesystem::remove(partial_, ignored);
+        std::filesystem::remove(path, ignored);
     }
 }
 
@@ -152,13 +152,13 @@ void SqliteTrace::interval_ended(const StateInterval& interval) {
     rows_->add(kStateTable,
                {number(names_.nodes[interval.node]), static_cast<std::int64_t>(interval.state),
                 interval.activity, number(interval.from), number(interval.to),
-                because ? number(*because) : RowWriter::kNull});
+                because ? number(*because) : kSqlNull});
 }
 
 void SqliteTrace::part_interval_ended(const PartInterval& interval) {
     rows_->add(kStateTable,
                {number(interval.part), kPartStates + static_cast<std::int64_t>(interval.state),
-                RowWriter::kNull, number(interval.from), number(interval.to), RowWriter::kNull});
+                kSqlNull, number(interval.from), number(interval.to), kSqlNull});
 }
 
 void SqliteTrace::write_message(const MessageRecord& message, ComponentId receiver) {
@@ -172,7 +172,7 @@ void SqliteTrace::write_message(const MessageRecord& message, ComponentId receiv
                 message.bytes, message.hops, number(source), number(message.delivery.source),
                 number(receiver), number(message.queued), number(message.started),
                 number(message.delivered - names_.latency), number(message.delivered),
-                number(message.consumed), parent ? key_of(*parent) : RowWriter::kNull});
+                number(message.consumed), parent ? key_of(*parent) : kSqlNull});
 }
 
 void SqliteTrace::message_consumed(const MessageRecord& message) {
@@ -216,26 +216,12 @@ void SqliteTrace::write_paths(const std::vector<CriticalPath>& paths) {
     }
 }
 
-void SqliteTrace::write_blame() {
-    Statement statement = insert(*database_, "wait_cause", 5);
-    for (std::size_t component = 0; component < blame_.size(); ++component) {
-        for (std::size_t on_wire = 0; on_wire < 2; ++on_wire) {
-            for (std::size_t state = 0; state < kNodeStates; ++state) {
-                const Blame& blame = blame_[component][on_wire][state];
-                if (blame.waits > 0) {
-                    bind_all(
-                        statement,
-                        {static_cast<std::int64_t>(state), static_cast<std::int64_t>(component),
-                         static_cast<std::int64_t>(on_wire), blame.waits, number(blame.time)});
-                    statement.run();
-                }
-            }
-        }
-    }
-}
-
 void SqliteTrace::close(const RunReport& report, const std::vector<CriticalPath>& paths) {
+    add_summaries(report);
     rows_->finish();
+    rows_.reset();
+    open_database();
+    database_->execute("BEGIN");
     write_phases();
     write_paths(paths);
     Statement line = insert(*database_, "path_line", 5);
@@ -254,19 +240,15 @@ void SqliteTrace::close(const RunReport& report, const std::vector<CriticalPath>
             statement.run();
         }
     }
-    write_blame();
     write_summaries(report);
-    database_->execute(kTraceIndices);
     database_->execute("COMMIT; PRAGMA analysis_limit = 200; ANALYZE");
-    rows_.reset();
     database_.reset();
     std::error_code error;
-    std::filesystem::rename(partial_, path_, error);
+    std::filesystem::rename(partial_.path, path_, error);
     if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(partial_, ignored);
         throw OutputError(path_.string() + ": cannot be written: " + error.message());
     }
+    partial_.is_complete = true;
 }
 
 }  // namespace rasterloom::observe

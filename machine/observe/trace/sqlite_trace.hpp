@@ -29,7 +29,7 @@ class SqliteTrace final : public TraceSink {
     SqliteTrace(std::filesystem::path path, MachineNames names, CauseLog* causes);
     SqliteTrace(const SqliteTrace&) = delete;
     SqliteTrace& operator=(const SqliteTrace&) = delete;
-    ~SqliteTrace() override;  // removes what was not closed
+    ~SqliteTrace() override = default;  // removes what was not closed
 
     void interval_ended(const StateInterval& interval) override;
     void message_consumed(const MessageRecord& message) override;
@@ -47,24 +47,44 @@ class SqliteTrace final : public TraceSink {
     };
     using Blames = std::array<std::array<Blame, kNodeStates>, 2>;  // [on wire][state]
 
+    void open_database();
     void write_names();
     void write_message(const MessageRecord& message, ComponentId receiver);
     std::optional<ComponentId> explain(const StateInterval& wait);
     void write_phases();
     void write_paths(const std::vector<CriticalPath>& paths);
-    void write_blame();
+    void add_summaries(const RunReport& report);
+    void add_node(ComponentId id, const NodeReport& node);
+    void add_blame();
     void write_summaries(const RunReport& report);
-    static void write_node(Statement& summary, Statement& phases, std::int64_t component,
-                           const NodeReport& node);
     void write_parts(const RunReport& report);
 
+    // Removed unless it has got its own name: also when the constructor fails.
+    struct PartialFile {
+        std::filesystem::path path;
+        bool is_complete = false;
+
+        ~PartialFile();
+    };
+    // Those that rows_ fills: they grow with the run or with the machine.
+    enum Table : std::size_t {
+        kStateTable,
+        kMessageTable,
+        kNodeSummaryTable,
+        kNodePhaseTable,
+        kLinkSummaryTable,
+        kWaitCauseTable,
+    };
+    static constexpr const char* kTables[] = {"state",      "message",      "node_summary",
+                                              "node_phase", "link_summary", "wait_cause"};
+
     std::filesystem::path path_;
-    std::filesystem::path partial_;
+    PartialFile partial_;
     MachineNames names_;
     CauseLog* causes_;
-    std::vector<Blames> blame_;  // [component]
-    std::optional<Database> database_;
-    std::optional<RowWriter> rows_;  // of the tables that grow while the machine runs
+    std::vector<Blames> blame_;         // [component]
+    std::optional<Database> database_;  // while nobody else writes the file
+    std::optional<RowWriter> rows_;
     std::vector<PhaseRecord> phases_;
 };
 

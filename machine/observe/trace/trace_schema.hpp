@@ -26,9 +26,6 @@ CREATE TABLE path (frame INTEGER PRIMARY KEY, began_ps INTEGER NOT NULL, ended_p
 CREATE TABLE path_step (frame INTEGER NOT NULL, step INTEGER NOT NULL, component INTEGER NOT NULL, on_wire INTEGER NOT NULL, from_ps INTEGER NOT NULL, to_ps INTEGER NOT NULL, PRIMARY KEY (frame, step)) WITHOUT ROWID;
 CREATE TABLE path_activity (frame INTEGER NOT NULL, activity INTEGER NOT NULL, time_ps INTEGER NOT NULL, PRIMARY KEY (frame, activity)) WITHOUT ROWID;
 CREATE TABLE path_line (frame INTEGER NOT NULL, file TEXT NOT NULL, line INTEGER NOT NULL, instructions INTEGER NOT NULL, time_ps INTEGER NOT NULL);
-)sql";
-
-inline constexpr const char* kTraceIndices = R"sql(
 CREATE INDEX message_by_event ON message (event);
 CREATE INDEX message_by_receiver ON message (receiver, delivered_ps);
 CREATE INDEX message_by_carrier ON message (carrier, started_ps);
