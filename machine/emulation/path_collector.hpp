@@ -27,7 +27,9 @@ class PathCollector final : public SupervisorListener, public NodeListener {
     void frame_ended(int frame, Time time) override;
     // On the thread of the node.
     void interval_ended(const StateInterval& interval) override {
-        intervals_[interval.node].push_back(interval);
+        if (interval.state == NodeState::busy) {
+            intervals_[interval.node].push_back(interval);
+        }
     }
     // While the machine pauses at the end of a frame.
     void collect();
@@ -47,7 +49,7 @@ class PathCollector final : public SupervisorListener, public NodeListener {
     Time began_;
     std::vector<observe::CriticalPath> paths_;
     std::vector<std::array<Duration, kActivities>> activities_;  // [path]
-    std::vector<std::vector<StateInterval>> intervals_;          // [node], of the frame
+    std::vector<std::vector<StateInterval>> intervals_;          // [node], busy ones of the frame
     std::unordered_map<std::uint32_t, std::size_t> node_of_;     // by component
 };
 
