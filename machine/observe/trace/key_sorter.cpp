@@ -20,6 +20,14 @@ constexpr std::size_t kReadAtOnce = 1 << 10;  // keys of one run: 24 KiB
 
 }  // namespace
 
+// All at once: memory that is not used yet costs nothing, copies of what is there do.
+void KeySorter::make_room() {
+    if (!keys_.empty()) {
+        put_aside();
+    }
+    keys_.reserve(most_in_memory_);
+}
+
 // By the highest bits of the first column, in which they differ, into buckets; and each bucket by
 // itself. Keys come by time, so that most buckets are nearly in order.
 void KeySorter::sort() {

@@ -29,8 +29,8 @@ class KeySorter {
 
     // Throws OutputError when there is no room for a temporary file; so does the next.
     void add(const Key& key) {
-        if (keys_.size() == most_in_memory_) {
-            put_aside();
+        if (keys_.size() == keys_.capacity()) {
+            make_room();
         }
         keys_.push_back(key);
     }
@@ -49,6 +49,7 @@ class KeySorter {
         std::size_t to = 0;
     };
 
+    void make_room();
     void sort();
     void put_aside();
     bool read_on(Run& run);
