@@ -3,12 +3,12 @@
 ;
 ; The lane and its share of the screen (H)
 lane        = 0x00      ; this lane's number
-column      = 0x01      ; the column of the screen that it draws; 0x7fff: none
+column      = 0x01      ; the column of the screen that it draws; 0x7fff: none. Sort-middle: lane i draws column i, or none
 polygons    = 0x02      ; polygons in this lane's database
 polygons_at = 0x03      ; where its database begins: kPolygon words each
 source_at   = 0x04      ; where its array of descriptors to be sent begins; geometry works in it, too, before it makes them
 source_end  = 0x05      ; first word behind that
-receive_at  = 0x06      ; the same of descriptors received
+receive_at  = 0x06      ; the same of descriptors received: room for one more than the lane keeps, as the source array has, too, with strides
 receive_end = 0x07
 most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
 error       = 0x09      ; 0, or why the program halted: 1 source array full, 2 receive array full (G, C)
