@@ -44,6 +44,7 @@ class Packer {
         leaders_ = {0, image_.entry};
         for (const std::string& label : image_.labels) {
             leaders_.insert(image_.symbols.at(label));
+            label_at_.emplace(image_.symbols.at(label), label);
         }
         for (std::uint32_t address = 0; address < program_.bundles.size(); ++address) {
             const Bundle::Sequencer& seq = program_.bundles[address].seq;
@@ -52,11 +53,6 @@ class Packer {
             }
             if (ends_block(seq.op)) {
                 leaders_.insert(address + 1);
-            }
-        }
-        for (const auto& [name, value] : image_.symbols) {
-            if (image_.labels.contains(name)) {
-                label_at_.emplace(value, name);
             }
         }
     }
