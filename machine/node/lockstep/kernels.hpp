@@ -21,6 +21,18 @@ struct Kernels {
     std::array<Kernel, kKernelCodes> masked{};  // lanes asleep keep what they have
 };
 
+struct PointerRange {
+    std::uint16_t least = 0;
+    std::uint16_t most = 0;
+};
+struct PointerCheck {
+    PointerRange first;
+    PointerRange second;
+    int nearest = 0;  // the least distance of the two on a lane where they differ; not modulo 2^16
+};
+// Of two registers, on all lanes of a block.
+PointerCheck check_pointers(const LaneBlock& block, int first, int second);
+
 // Of the instruction set in use.
 const Kernels& kernels();
 // See LockstepArray::paths and use_path.

@@ -43,6 +43,7 @@ class LaneState {
   public:
     LaneMemory memory;
     std::vector<std::uint16_t> ring;
+    std::vector<std::uint16_t> laid_out;  // for transfers
     ArrayParts parts;
     std::vector<LaneBlock> blocks;
 };

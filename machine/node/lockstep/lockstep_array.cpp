@@ -6,6 +6,7 @@
 #include "machine/node/lockstep/lane_state.hpp"
 #include "machine/node/lockstep/meeting.hpp"
 #include "machine/node/lockstep/sequencer.hpp"
+#include "machine/node/lockstep/transfer.hpp"
 #include "machine/node/lockstep/translation.hpp"
 
 #include <algorithm>
@@ -44,16 +45,20 @@ class LockstepArray::Engine {
         : program(std::move(of)),
           lanes(checked(settings, *program).lanes),
           translation(*program, lockstep::LaneState::width_for(settings.lanes)),
+          transfers(lockstep::find_transfers(*program)),
           // A thread without a block would only be waited for.
           members(std::min(settings.threads, static_cast<int>(lanes.blocks.size()))),
           meeting(members),
           crew(members, [this](int member) { run_member(member); }) {
+        if (!transfers.empty()) {
+            lanes.laid_out.resize(lanes.ring.size() * lockstep::kMaxTransferSlots);
+        }
         const auto count = static_cast<std::size_t>(members);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t first = lanes.blocks.size() * i / count;
             const std::size_t end = lanes.blocks.size() * (i + 1) / count;
             sequencers.emplace_back(*program, translation, lanes, meeting, static_cast<int>(i),
-                                    std::span(lanes.blocks).subspan(first, end - first));
+                                    std::span(lanes.blocks).subspan(first, end - first), transfers);
         }
     }
 
@@ -78,6 +83,7 @@ class LockstepArray::Engine {
     std::shared_ptr<const isa::vliw::Program> program;
     lockstep::LaneState lanes;
     lockstep::Translation translation;
+    std::vector<lockstep::Transfer> transfers;
     int members;
     lockstep::Meeting meeting;
     std::vector<lockstep::Sequencer> sequencers;

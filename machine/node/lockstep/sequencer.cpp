@@ -3,6 +3,7 @@
 
 #include "machine/node/lockstep/broadcast.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -15,9 +16,10 @@ using isa::vliw::CommOp;
 using isa::vliw::SeqOp;
 
 // Bits that members say about their lanes.
-constexpr std::uint32_t kAnySet = 1;    // T on a lane that is awake
-constexpr std::uint32_t kAnyClear = 2;  // no T on a lane that is awake
-constexpr std::uint32_t kFirstSet = 4;  // T on lane 0
+constexpr std::uint32_t kAnySet = 1;      // T on a lane that is awake
+constexpr std::uint32_t kAnyClear = 2;    // no T on a lane that is awake
+constexpr std::uint32_t kFirstSet = 4;    // T on lane 0
+constexpr std::uint32_t kNoTransfer = 8;  // a block cannot hand its words on at once
 
 // Pieces on the list, at the most: a list is to stay in the host's caches.
 constexpr std::size_t kMaxPieces = 256;
@@ -42,13 +44,15 @@ LockstepArray::Stop trap_for(std::string trap) {
 }  // namespace
 
 Sequencer::Sequencer(const isa::vliw::Program& program, const Translation& translation,
-                     LaneState& lanes, Meeting& meeting, int member, std::span<LaneBlock> blocks)
+                     LaneState& lanes, Meeting& meeting, int member, std::span<LaneBlock> blocks,
+                     std::span<const Transfer> transfers)
     : program_(&program),
       translation_(&translation),
       lanes_(&lanes),
       meeting_(&meeting),
       member_(member),
       blocks_(blocks),
+      transfers_(transfers),
       entries_(program.bundles.size() + 1) {
     state_.program_counter = program.entry;
     pieces_.reserve(kMaxPieces);
@@ -74,6 +78,9 @@ Sequencer::Stop Sequencer::run_to_stop(std::int64_t end) {
         }
         if (const std::uint32_t plain = translation_->plain_end(at); plain > at) {
             run_plain(plain, end);
+        } else if (const Transfer* transfer = transfer_at(at, end);
+                   transfer != nullptr && hand_on(*transfer)) {
+            continue;
         } else if (auto stop = step(program_->bundles[at])) {
             return *stop;
         }
@@ -208,18 +215,60 @@ std::optional<Sequencer::Stop> Sequencer::step(const Bundle& bundle) {
     add_ring_use(bundle.comm.op);
     add(first_op, translation_->first_operation(at + 1));
     count(at, at + 1);
-    const std::size_t ring = lanes_->ring.size();
-    if (bundle.comm.op == CommOp::right) {
-        // What moves right is found further left than before.
-        shift(ring - bundle.comm.count % ring);
-    } else if (bundle.comm.op == CommOp::left) {
-        shift(bundle.comm.count);
+    if (bundle.comm.op == CommOp::right || bundle.comm.op == CommOp::left) {
+        shift(bundle.comm.op == CommOp::right ? bundle.comm.count : -bundle.comm.count);
     }
     return go_on(bundle.seq, answer);
 }
 
-void Sequencer::shift(std::size_t places) {
-    state_.ring_offset = (state_.ring_offset + places) % lanes_->ring.size();
+// What moves right is found further left than before.
+std::size_t Sequencer::offset_after(std::int64_t places_right) const {
+    const auto ring = static_cast<std::int64_t>(lanes_->ring.size());
+    const std::int64_t offset =
+        (static_cast<std::int64_t>(state_.ring_offset) - places_right) % ring;
+    return static_cast<std::size_t>(offset < 0 ? offset + ring : offset);
+}
+
+void Sequencer::shift(std::int64_t places_right) {
+    state_.ring_offset = offset_after(places_right);
+}
+
+const Transfer* Sequencer::transfer_at(std::uint32_t bundle, std::int64_t end) const {
+    const auto found = std::lower_bound(
+        transfers_.begin(), transfers_.end(), bundle,
+        [](const Transfer& transfer, std::uint32_t at) { return transfer.first_bundle < at; });
+    if (found == transfers_.end() || found->first_bundle != bundle) {
+        return nullptr;
+    }
+    const std::int64_t cycles =
+        translation_->cycles_before(found->end_bundle) - translation_->cycles_before(bundle);
+    return state_.cycles + cycles <= end ? &*found : nullptr;
+}
+
+bool Sequencer::hand_on(const Transfer& transfer) {
+    compute_lanes();
+    bool can = true;
+    for (LaneBlock& block : blocks_) {
+        kernels().full[kCloseLine](block, {});
+        can = can && can_transfer(block, transfer);
+    }
+    const std::uint32_t answer = meeting_->exchange(member_, can ? 0 : kNoTransfer);
+    ring_use_ = RingUse::none;
+    if ((answer & kNoTransfer) != 0) {
+        return false;
+    }
+    const std::size_t put_offset = offset_after(transfer.shift_before_put);
+    for (LaneBlock& block : blocks_) {
+        lay_out(block, transfer, lanes_->laid_out, put_offset);
+    }
+    meeting_->exchange(member_, 0);
+    for (LaneBlock& block : blocks_) {
+        take_over(block, transfer, lanes_->laid_out);
+    }
+    count(transfer.first_bundle, transfer.end_bundle);
+    shift(transfer.shift);
+    state_.program_counter = static_cast<std::uint16_t>(transfer.end_bundle);
+    return true;
 }
 
 void Sequencer::broadcast() {

@@ -11,6 +11,7 @@
 #include "machine/node/lockstep/lane_state.hpp"
 #include "machine/node/lockstep/lockstep_array.hpp"
 #include "machine/node/lockstep/meeting.hpp"
+#include "machine/node/lockstep/transfer.hpp"
 #include "machine/node/lockstep/translation.hpp"
 
 #include <array>
@@ -39,7 +40,8 @@ class Sequencer {
     using Reason = LockstepArray::Reason;
 
     Sequencer(const isa::vliw::Program& program, const Translation& translation, LaneState& lanes,
-              Meeting& meeting, int member, std::span<LaneBlock> blocks);
+              Meeting& meeting, int member, std::span<LaneBlock> blocks,
+              std::span<const Transfer> transfers);
 
     // Ends with all lanes computed, by all members.
     Stop run(std::int64_t budget_cycles);
@@ -67,7 +69,11 @@ class Sequencer {
     // Empties the list. The answer is about the lanes as they then are.
     void compute_lanes();
     std::uint32_t meet_lanes();
-    void shift(std::size_t places_right);
+    // Whether it could be done at once.
+    bool hand_on(const Transfer& transfer);
+    const Transfer* transfer_at(std::uint32_t bundle, std::int64_t end) const;
+    std::size_t offset_after(std::int64_t places_right) const;
+    void shift(std::int64_t places_right);
     void broadcast();
 
     const isa::vliw::Program* program_;
@@ -76,6 +82,7 @@ class Sequencer {
     Meeting* meeting_;
     int member_;
     std::span<LaneBlock> blocks_;
+    std::span<const Transfer> transfers_;
     SequencerState state_;
     std::vector<Piece> pieces_;
     RingUse ring_use_ = RingUse::none;  // by pieces on the list, or since the latest meeting

@@ -5,6 +5,7 @@
 
 #include "tests/isa/vliw_random_programs.hpp"
 
+#include <array>
 #include <functional>
 #include <random>
 
@@ -315,6 +316,68 @@ TEST(LockstepArrayRecords, AreReadAndWrittenAsByTheInterpreter) {
             array.run(kMuch);
             ASSERT_EQ(testing::difference(array, interpreter), "")
                 << "seed " << seed << " on " << LockstepArray::paths().front();
+        }
+    }
+}
+
+// Words handed on from the record at r8 to the neighbour's record at r9, in the order of a program
+// that was packed: a word is loaded, put and shifted while the one before is got and stored.
+std::vector<Bundle> hand_on(int words, CommOp direction, int places) {
+    std::vector<Bundle> bundles;
+    const auto reg = [](int first, int word) {
+        return static_cast<std::uint8_t>(first + word % 3);
+    };
+    for (int word = 0; word <= words + 1; ++word) {
+        const auto offset = static_cast<std::uint16_t>(kWindow + word);
+        Bundle& put = bundles.emplace_back();
+        put.comm = {CommOp::put, reg(12, word), 0};
+        if (word > 0) {
+            put.mem = memory(MemOp::st, 0, reg(16, word - 1), 9, offset - 1);
+        }
+        Bundle& shift = bundles.emplace_back();
+        shift.comm = {direction, 0, static_cast<std::uint16_t>(places)};
+        shift.mem = memory(MemOp::ld, 0, reg(12, word + 1), 8, offset + 1);
+        bundles.emplace_back().comm = {CommOp::get, reg(16, word), 0};
+    }
+    bundles.emplace_back().comm = {CommOp::put, 20, 0};
+    bundles.emplace_back().comm = {CommOp::get, 21, 0};
+    bundles.emplace_back().seq.op = SeqOp::halt;
+    return bundles;
+}
+
+// How the pointers r8 and r9 lie: apart, equal on some lanes, so near that words overlap.
+void point(const std::function<void(std::int64_t, int, std::uint16_t)>& set_reg, std::int64_t lanes,
+           int kind) {
+    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        const auto from = static_cast<std::uint16_t>(lane % 5);
+        const auto apart = kind == 0 ? 30 : kind == 1 ? (lane % 3 == 0 ? 0 : 25) : lane % 8;
+        set_reg(lane, 8, from);
+        set_reg(lane, 9, static_cast<std::uint16_t>(from + apart));
+    }
+}
+
+TEST(LockstepArrayRecords, AreHandedOnAsByTheInterpreter) {
+    const auto paths = LockstepArray::paths();
+    for (int kind = 0; kind < 24; ++kind) {
+        const std::int64_t lanes =
+            std::array{1, 3, 100, 290, 512}[static_cast<std::size_t>(kind % 5)];
+        auto bundles = hand_on(20, kind % 4 == 3 ? CommOp::left : CommOp::right, 1 + kind * 7);
+        bundles.front().sleep = kind % 7 == 6 ? SleepOp::slf : SleepOp::none;  // all fall asleep
+        bundles[kind % 2 == 0 ? 0 : 30].alu = {.op = AluOp::add, .dst = 22, .a = 1, .b = 2};
+        const auto program = testing::program_of(bundles);
+        Interpreter interpreter(program, lanes);
+        isa::vliw::testing::randomize(interpreter, 5);
+        point([&](auto... values) { interpreter.set_reg(values...); }, lanes, kind % 3);
+        testing::run(interpreter, kMuch);
+        const OnPath on_path(paths[static_cast<std::size_t>(kind) % paths.size()]);
+        for (const std::int64_t budget : {std::int64_t{50}, kMuch}) {
+            LockstepArray array(program, {.lanes = lanes, .threads = 2});
+            array.set_layout(fast_word(kWindow), 64, LaneLayout::along);
+            isa::vliw::testing::randomize(array, 5);
+            point([&](auto... values) { array.set_reg(values...); }, lanes, kind % 3);
+            while (array.run(budget).reason == LockstepArray::Reason::budget) {
+            }
+            ASSERT_EQ(testing::difference(array, interpreter), "") << kind << ", budget " << budget;
         }
     }
 }
