@@ -1,13 +1,6 @@
 ; SPDX-License-Identifier: MIT
 ; Sort-middle communication on columns: every descriptor comes to each lane whose column it covers, once (Eldridge 1995, 5.1 to 5.3, 7.4, A.2.2).
 ;
-; Store and forward: a pass hands the descriptor in every lane's slot on to the lane `stride` (or 1) places right. What arrives is written
-; behind what the lane keeps; if the lane wants it, it stays there, otherwise the next one overwrites it. Either way it is in the lane's slot
-; for the next pass, unless nobody needs it any more: then the next of the lane's own is put in.
-;
-; d_passes says how far a descriptor has still to go: the passes to its last destination. Nobody needs it if there are none;
-; such a one arrives with -1, a descriptor that has come to its last destination with 0.
-;
 ; stride 1: one round, by passes of 1. A descriptor that its own lane wants goes all the way round, so none is ever copied.
 ; stride d: two rounds. The far one, by passes of d, brings a descriptor from lane s to each lane t = s + k d, k = 1 ... lanes / d, with a
 ;   destination among the d lanes behind t. What is kept is sent on in the near round, by at most d passes of 1, so that nobody gets it
@@ -16,18 +9,7 @@
 ;
 ; Needs: columns numbered as lanes; lanes a multiple of stride, at most 32767; receive arrays (with strides the source array, too) with room
 ; for one descriptor more than they keep. Error 2 and halt: a lane keeps more.
-; Memory: link_*. Counter: c2.
-
-link_slot   = other_scratch         ; the descriptor to be passed on
-link_into   = other_scratch+1       ; where the next one arrives
-link_own    = other_scratch+2       ; next of the lane's own to be put in
-link_end    = other_scratch+3       ; first word behind the lane's own
-link_room   = other_scratch+4       ; greatest value of link_into
-link_next   = other_scratch+5       ; next of the lane's own to be prepared
-
-kPassOverhead = 30                  ; cycles of a pass beside its words, at most
-kPassCycles = 820                   ; for passes on a scanline
-kPreparations = 25                  ; descriptors prepared on a scanline
+; Memory, counter: see pass.s.
 
 reach = 1
 log2_stride = 0
@@ -41,37 +23,10 @@ log2_stride = log2_stride+1
         .error  stride must be a power of two, 1 to 512
         .endc
 
-slot    = r1
-into    = r2
-own     = r3
-own_end = r4
-to_go   = r5            ; passes that the slot's descriptor still needs
-here    = r6            ; this lane; in the near round's passes, its column
 brink   = r7            ; the last lane of the window, which are the lanes behind this one that it sends to in the near round
 seam    = r8            ; the same less lanes: for windows that go over the end of the ring
-room    = r9
-passed  = r10           ; passes in this procedure
-handed  = r11           ; to_go as the next lane gets it
-first   = r12           ; d_left
-last    = r13           ; d_right
-ring    = r14           ; lanes
 
-; ---- A round begins. Sent is what lies from `own` to `own_end`, the receiving array is at (into_at) to (into_end).
-        .macro  begin_round into_at, into_end, next
-        ld      into, into_at
-        ld      room, into_end
-        sub     room, room, #kDescriptor
-        st      own, link_own
-        st      own, link_next
-        st      own_end, link_end
-        st      into, link_into
-        st      into, link_slot
-        st      room, link_room
-        mov     to_go, #-1
-        st      to_go, d_passes(into)   ; an empty slot
-        setp    next
-        line
-        .endm
+        .include "pass.s"
 
 communicate:
         wake
@@ -109,26 +64,6 @@ communicate_near:
         sub     seam, brink, ring
         setc    c2, kPreparations
         tltu    own, own_end
-        .endm
-
-; r16 is the number of passes; none if no sample lies within the box.
-        .macro  finish_preparation name, next
-        tge     last, first
-        tge.and r18, r17
-        tget    r19
-        mul     r16, r16, r19
-        st      r16, d_passes(own)
-        add     own, own, #kDescriptor
-        tltu    own, own_end
-        bnor    name'_done
-        dec     c2, name'_loop
-        jump    name'_save
-name'_done:
-        setp    next
-name'_save:
-        wake
-        st      own, link_next
-        line
         .endm
 
 ; The box; a screen that is wider than the ring ends with the ring.
@@ -199,103 +134,6 @@ prepare_near_loop:
         .endc
         finish_preparation prepare_near, pass_near
 
-; ---- Passes
-        .macro  pass_word k, from, to, ahead, next_from, places
-        put     from
-        right   places
-        ld      next_from, ahead(slot)
-        get     to
-        st      to, k(into)
-        .endm
-
-; The first words of a descriptor come with d_left, d_right and d_passes, which are looked at.
-        .macro  pass_descriptor places
-        ld      r16, 0(slot)
-        pass_word 0, r16, first, 1, r17, places
-        pass_word 1, r17, last, 2, r18, places
-        pass_word 2, r18, r22, 3, r19, places
-        pass_word 3, r19, r23, 5, r17, places
-        put     handed
-        right   places
-        get     to_go
-        st      to_go, d_passes(into)
-at = 5
-        .rept   9
-        pass_word at, r17, r21, at+1, r18, places
-        pass_word at+1, r18, r22, at+2, r19, places
-        pass_word at+2, r19, r23, at+3, r20, places
-        pass_word at+3, r20, r24, at+4, r17, places
-at = at+4
-        .endr
-        put     r17
-        right   places
-        get     r21
-        st      r21, at(into)
-        .endm
-
-        .macro  pass_procedure name, places, kind, counter, next
-name:
-        wake
-        ld      slot, link_slot
-        ld      into, link_into
-        ld      own, link_own
-        ld      own_end, link_end
-        ld      room, link_room
-        ld      to_go, d_passes(slot)
-        where_'kind
-        mov     passed, #0
-        .if ne line_locked
-kPasses = kPassCycles/<2+places*kDescriptor+kPassOverhead>
-        .if eq kPasses
-        .error  a pass of `stride` places does not fit into a scanline
-        .endc
-        setc    c2, kPasses
-        .endc
-name'_loop:
-        tge     r0, to_go
-        tltu.and own, own_end
-        slf
-        mov     slot, own
-        ld      to_go, d_passes(own)
-        add     own, own, #kDescriptor
-        wake
-        tlt     r0, to_go
-        tget    r16
-        tltu.or own, own_end
-        mul     handed, to_go, r16
-        sub     handed, handed, #1
-        bnor    name'_done
-        pass_descriptor places
-        wanted_'kind
-        tge.and to_go, r0
-        tget    r16
-        mul     r16, r16, #kDescriptor
-        mov     slot, into
-        add     into, into, r16
-        add     passed, passed, #1
-        tltu    room, into
-        bor     receive_overflow
-        .if ne line_locked
-        dec     c2, name'_loop
-        jump    name'_save
-        .else
-        jump    name'_loop
-        .endc
-name'_done:
-        setp    next
-name'_save:
-        st      slot, link_slot
-        st      into, link_into
-        st      own, link_own
-        ld      r16, counter
-        ld      r17, counter+1
-        adds    r16, r16, passed
-        adc     r17, r17, r0
-        st      r16, counter
-        st      r17, counter+1
-        line
-        .endm
-
         .macro  where_far
         ld      here, lane
         ld      ring, lanes
@@ -320,13 +158,6 @@ name'_save:
         pass_procedure pass_far, stride, far, far_passes, communicate_near
         .endc
         pass_procedure pass_near, 1, near, near_passes, communicate_end
-
-receive_overflow:
-        slf
-        mov     r16, #2
-        st      r16, error
-        wake
-        halt
 
 communicate_end:
         wake

@@ -3,7 +3,7 @@
 ; with `line`. At the very first, at `start`, the pointer is set.
 ;
 ; Line-locked, a scanline first
-; - sends the pixel of its row of the buffer being shown to the video register: 5 bits red, 6 green, 5 blue; 0 below row 511;
+; - sends the pixel of its row of the buffer being shown to the video register: 5 bits red, 6 green, 5 blue; 0 below the last row (video 0: nothing);
 ; - takes one integer from the auxiliary input. The matrix comes by it: on scanline 0 of a frame 0x8000 or 0x8001 (the host may put the frame's
 ;   parity there), on the next twelve scanlines the words m0 ... m11. Nothing to say: 0, or anything but a marker. Behind a marker twelve words are
 ;   taken for what they are, whatever they look like. The marker also sets the row that is shown right, should the machine and the program
@@ -16,7 +16,7 @@ matrix_complete = other_scratch+33      ; 1: all have come
 matrix_shadow   = other_scratch+34      ; 12 words
 kMatrix         = 12
 kScanlines      = 525
-kRows           = 512
+kRows           = screen_rows
 
 dispatch:
         .if ne line_locked
@@ -43,6 +43,7 @@ dispatch_word:
         tget    r5
         st      r5, matrix_complete
 dispatch_row:
+        .if ne video
         ld      r4, shown
         mul     r5, r3, #kPixel
         add     r4, r4, r5
@@ -60,6 +61,7 @@ dispatch_row:
         tget    r11
         mul     r8, r8, r11
         vout    r8
+        .endc
         add     r3, r3, #1
         tlt     r3, #kScanlines
         tget    r12

@@ -1,11 +1,17 @@
 ; SPDX-License-Identifier: MIT
 ; From one picture to the next: buffers exchanged, the new one cleared, the matrix taken over. Line-locked this waits for the rows
 ; that are not visible. After `frame` the word `shown` is the address of the picture just finished.
+; Without video there are no buffers, nothing to be exchanged or cleared.
 ; Memory: clear_at. Counter: c4.
 
 clear_at    = other_scratch+48          ; first word that is still to be cleared
 kFrame      = kRows*kPixel
 kCleared    = 96                        ; words at once
+
+        .macro  begin_geometry
+        phase   1
+        setp    geometry
+        .endm
 
         .macro  take_matrix
         ld      r4, matrix_complete
@@ -29,17 +35,22 @@ start:
 
 begin:
         wake
+        .if ne video
         mov     r1, #frame_buffers
         mov     r2, #frame_buffers+kFrame
         st      r1, drawing
         st      r2, shown
         st      r1, clear_at
         setp    clear
+        .else
+        begin_geometry
+        .endc
         line
 
 finish:
         wake
         phase   0
+        .if ne video
         .if ne line_locked
         ld      r1, scanline            ; the next one
         tlt     r1, #kRows+1
@@ -50,14 +61,20 @@ finish:
         st      r2, shown
         st      r3, drawing
         st      r3, clear_at
+        .endc
         frame
         .if ne line_locked
         take_matrix
         .endc
+        .if ne video
         setp    clear
+        .else
+        begin_geometry
+        .endc
 finish_wait:
         line
 
+        .if ne video
 clear:
         wake
         ld      r1, clear_at
@@ -75,6 +92,7 @@ at = at+1
         add     r2, r2, #kFrame
         tlt     r1, r2
         bt      clear_save
-        setp    geometry
+        begin_geometry
 clear_save:
         line
+        .endc

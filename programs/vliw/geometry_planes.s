@@ -155,9 +155,9 @@
 planes:
         mov     r1, r30
         keep_low d_left, r2, r3
-        keep_high d_right, 768, r4, r5
+        keep_high d_right, screen_columns, r4, r5
         keep_low d_top, r6, r7
-        keep_high d_bottom, 512, r8, r9
+        keep_high d_bottom, screen_rows, r8, r9
         ld      r3, d_screen+0(r1)
         ld      r4, d_screen+1(r1)
         ld      r5, d_screen+2(r1)

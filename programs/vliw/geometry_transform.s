@@ -56,12 +56,12 @@ kTransformsALine = 4            ; polygons
         eye_coordinate 0, l, h, x, y, z, m, t, u
         within  h, quarter, t, u
         st      l, <3*v>+d_eye(r29)
-        project sx, l, r, r31, 16*384, 2
+        project sx, l, r, r31, 8*screen_columns, 2
         eye_coordinate 1, l, h, x, y, z, m, t, u
         within  h, quarter, t, u
         next
         st      l, <3*v>+1+d_eye(r29)
-        project sy, l, r, r27, 16*256, -1
+        project sy, l, r, r27, 8*screen_rows, -1
         .endm
 
 ; The whole pixels from the least to the greatest of a, b, c; T := T and there are some, and some of 0 ... size - 1 may be among them.
@@ -93,10 +93,10 @@ transform:
         transform_vertex 2, r25, r26, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10
         ld      r19, source_count
         ld      r20, last_slot
-        box     r11, r12, r13, r21, r23, r25, 768, r14, r15
+        box     r11, r12, r13, r21, r23, r25, screen_columns, r14, r15
         st      r11, d_left(r29)
         st      r12, d_right(r29)
-        box     r1, r2, r3, r22, r24, r26, 512, r4, r5
+        box     r1, r2, r3, r22, r24, r26, screen_rows, r4, r5
         st      r1, d_top(r29)
         st      r2, d_bottom(r29)
         sub     r6, r21, r25            ; twice the area: (sy0 - sy1) (sx0 - sx2) - (sx0 - sx1) (sy0 - sy2)

@@ -1,6 +1,10 @@
 ; The renderers' lane memory and data formats; every file of programs/vliw includes this one. Word addresses of the fast memory.
 ; Who fills what: H the host, before the run (or a scanline at a time: the matrix); G geometry; C communication; R rasterising.
 ;
+; The screen. At most 768 columns and 512 rows; rows of renderers that have frame buffers: a multiple of 64
+        .iif ndf screen_columns, screen_columns = 768
+        .iif ndf screen_rows, screen_rows = 512
+;
 ; The lane and its share of the screen (H)
 lane        = 0x00      ; this lane's number
 column      = 0x01      ; the column of the screen that it draws; 0x7fff: none. Sort-middle: lane i draws column i, or none
@@ -11,11 +15,12 @@ source_end  = 0x05      ; first word behind that
 receive_at  = 0x06      ; the same of descriptors received: room for one more than the lane keeps, as the source array has, too, with strides
 receive_end = 0x07
 most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
-error       = 0x09      ; 0, or why the program halted: 1 source array full, 2 receive array full (G, C)
+error       = 0x09      ; 0, or why the program halted: 1 source array full, 2 receive array full (G, C), 3 lanes no multiple of the group,
+                        ; 4 no room for the composited picture
 lanes       = 0x0a      ; lanes on the ring (the same on all)
 ;
 ; The view (H). x' = (m0 x + m1 y + m2 z) / 2^14 + m9, and so on: eye space, x right, y up, z away; visible from near on.
-; Screen, in 1/16 pixel: sx = 16 * 384 + f x'/z', sy = 16 * 256 - f y'/z'; samples lie on whole pixels, row 0 is the upper one.
+; Screen, in 1/16 pixel: sx = 8 screen_columns + f x'/z', sy = 8 screen_rows - f y'/z'; samples lie on whole pixels, row 0 is the upper one.
 ; Nothing is clipped: a polygon is not visible when a vertex is nearer than near or about as far from the axis as from the viewer
 ; (|x'| or |y'| from 0.999 z' on: 700 pixels from the middle), or when a coordinate has no room in a word.
 matrix      = 0x10      ; m0 ... m8 s1.14, m9 ... m11 integers
@@ -43,6 +48,7 @@ received_at = 0x34      ; where the received descriptors lie: receive_at, or sou
 received_end = 0x35     ; first word behind them
 far_passes  = 0x36      ; passes of `stride` places in this frame, if stride is more than 1: lower word, upper word (the same on all lanes)
 near_passes = 0x38      ; passes of 1 place
+pixel_passes = 0x3b     ; passes of pixels, lower and upper word: composite.s, fragments.s
 scanline    = 0x3a      ; number of the next scanline, 0 ... 524 (line-locked)
 ;
 geometry_scratch = 0x40 ; 0x40 ... 0x9f

@@ -6,6 +6,8 @@
         .iif ndf textured, textured = 0         ; 1: polygons may have a texture
         .iif ndf early_abort, early_abort = 1   ; rasterising, see rasterise.s
         .iif ndf decoupled, decoupled = 1
+        .iif ndf deferred, deferred = 0         ; 1: colours only where pictures are composited, see shade.s
+        .iif ndf video, video = 1               ; 0: the picture ends elsewhere than in frame buffers
         .if ndf samples                         ; rows between two looks for the next polygon
         .if ne textured
 samples = 4

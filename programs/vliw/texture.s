@@ -1,7 +1,7 @@
 ; SPDX-License-Identifier: MIT
 ; Perspective-correct bilinear texture (Eldridge 1995, 7.5.2): u = (u / z) / (1 / z) by the table of reciprocals, then the mean of the four texels
 ; around it, weighted. The texture: memory.s.
-; In: the rasteriser's zh:zl, uh:ul, vh:vl. Out: r27, r28, r29: red, green, blue, 0 ... 65535. Changes r16, r17, r22, r23, r25, r26, r30.
+; In: depth, u, v of the rasteriser's kind. Out: r27, r28, r29: red, green, blue, 0 ... 65535. Changes r16, r17, r22, r23, r25, r26, r30.
 
 ; The texel's bits of the three masks, 16 bits each, times weight. The first texel sets the sums, the others add to them.
         .macro  weigh_first weight
@@ -35,7 +35,7 @@
         sub     c, c, r23
         .endm
 
-        .macro  texture
+        .macro  texture zh, zl, uh, ul, vh, vl
         mulu    r22, zh, #0x8000, 16    ; 1/z: the table's for half the depth, to the first order corrected by its fraction f: q - f q^2 / 2^28
         ld      r22, reciprocals(r22)
         mulu    r23, zl, #0x8000, 16

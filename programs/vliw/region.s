@@ -1,0 +1,91 @@
+; SPDX-License-Identifier: MIT
+; A lane's region of the screen (Eldridge 1995, 6.2). The screen's columns are divided into `group` regions; lane r + k group draws region r, as its
+; k-th member. What several lanes have drawn of one region is composited (composite.s) or sent as fragments (fragments.s).
+;
+; A region is drawn in bands of `band_rows` rows, because it must fit into the slow memory: pixel
+;     p = (x - region_left) band_rows + y - row_first
+; has its words 0, 1 and 2 (memory.s) at address p of the banks 1, 2 and 3. Between bands all depths are 0: those who take a pixel out clear it.
+
+        .iif ndf group, group = 1               ; a divisor of lanes
+        .iif ndf fragments, fragments = 0       ; 1: fragments are sent
+
+kListAt = 0x8400                    ; fragments: bank 0 from here on lists the pixels drawn, behind the texture
+kListed = 0x10000-kListAt
+kRegionColumns = screen_columns+group-1/group
+kRegionSize = 0xff00                            ; pixels; rasterising goes some rows beyond a column's end
+        .if ne fragments
+kRegionSize = kListed                           ; ... each may be in the list of those to be sent
+        .endc
+
+; The greatest power of two of rows that fits, if nothing is said.
+        .if ndf band_rows
+band_rows = 1
+        .rept   9
+        .if ge kRegionSize-<2*band_rows*kRegionColumns>
+        .if lt band_rows-screen_rows
+band_rows = 2*band_rows
+        .endc
+        .endc
+        .endr
+        .endc
+kRegion = band_rows*kRegionColumns              ; pixels of a band
+        .if lt kRegionSize-kRegion
+        .error  a band of band_rows rows does not fit into a lane
+        .endc
+bands = screen_rows+band_rows-1/band_rows
+
+; Divisions of x, 0 ... 16383, by a constant: mulu d, x, #inverse, pick.
+        .macro  find_inverse inverse, pick, divisor
+power = 1
+pick = 15
+        .rept   16
+        .if ge divisor-<2*power>
+power = 2*power
+pick = pick+1
+        .endc
+        .endr
+inverse = power*0x8000/divisor+1
+        .endm
+
+        find_inverse kPerColumns, kColumnsPick, kRegionColumns
+        find_inverse kPerGroup, kGroupPick, group
+
+region_left = other_scratch+50          ; first column of the lane's region
+region_right = other_scratch+51         ; last one; may lie beyond the screen
+region      = other_scratch+52          ; its number, lane mod group
+member      = other_scratch+53          ; lane / group
+members     = other_scratch+54          ; lanes / group
+row_first   = other_scratch+55          ; of the band being drawn
+row_last    = other_scratch+56          ; may lie below the screen
+wanted_end  = other_scratch+57          ; behind the list of descriptors that the lane draws: their addresses, from `wanted` on
+banded_end  = other_scratch+58          ; behind that of those that meet the band, from `banded` on
+wanted      = frame_buffers
+banded      = frame_buffers+0x300
+
+        .macro  find_region
+        ld      r1, lane
+        ld      r2, lanes
+        mulu    r3, r1, #kPerGroup, kGroupPick
+        mulu    r4, r2, #kPerGroup, kGroupPick
+        mul     r5, r3, #group
+        sub     r5, r1, r5
+        mul     r6, r5, #kRegionColumns
+        add     r7, r6, #kRegionColumns-1
+        st      r3, member
+        st      r4, members
+        st      r5, region
+        st      r6, region_left
+        st      r7, region_right
+        mov     r8, #band_rows-1
+        st      r0, row_first
+        st      r8, row_last
+        mul     r9, r4, #group
+        tne     r9, r2
+        bor     lanes_left_over
+        .endm
+
+; A list begins.
+        .macro  begin_list at, end
+        mov     r10, #at
+        st      r10, end
+        .endm

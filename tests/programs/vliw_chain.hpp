@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Whole renderers of programs/vliw on small screens, from the database to the picture.
+#pragma once
+
+#include "programs/vliw_renderer.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace rasterloom::test {
+
+using ScenePolygon = std::array<std::uint16_t, 24>;  // as in memory.s
+using ScreenPixel = std::array<std::uint16_t, 3>;
+using ScreenPicture = std::vector<ScreenPixel>;  // row after row
+
+struct ScreenSize {
+    int columns = 48;
+    int rows = 64;
+};
+
+// Polygons that face the viewer, up to `size` pixels wide and high, lit differently at each vertex;
+// every second one with a texture.
+std::vector<ScenePolygon> random_scene(int count, int size, std::uint32_t seed,
+                                       ScreenSize screen = {});
+
+// `file` with the scene dealt out to its lanes, the tables and the lights, ready to run. Arrays
+// have room for 130 descriptors.
+VliwRenderer chain_of(std::string_view file, const std::vector<ScenePolygon>& scene,
+                      Defines options, int lanes, Form form = Form::packed, ScreenSize screen = {});
+
+// Of a renderer that has frame buffers: the picture shown.
+ScreenPicture shown_picture(const VliwRenderer& renderer, ScreenSize screen = {});
+// Of one that composites, by the rule of composite.s.
+ScreenPicture composited_picture(const VliwRenderer& renderer, ScreenSize screen = {});
+
+// The same scene's picture by sort_middle.s.
+ScreenPicture sort_middle_picture(const std::vector<ScenePolygon>& scene, Defines options,
+                                  ScreenSize screen = {});
+
+}  // namespace rasterloom::test
