@@ -45,7 +45,7 @@ communicate:
 
 ; What has come and is kept
         .macro  list_it
-        st      into, 0(list)
+        sts     into, 0, (list)
         add     list, list, r16
         .endm
 
@@ -88,7 +88,7 @@ prepare_region_loop:
         tge.and last, first
         wanted_region .and
         tget    r20
-        st      own, 0(list)
+        sts     own, 0, (list)
         add     list, list, r20
         .if gt group-1
         passes_to_go

@@ -6,15 +6,11 @@
 ; numbers of 48 bits, so the order in which they meet makes no difference.
 ; A lane takes each of its pixels out once: then its depth is 0 again, ready for the next band.
 ;
-; The picture: a lane of member k keeps pixel s + k of every set, three words as in memory.s, in bank 0 from kPictureAt on, set after set, band after
-; band. So pixel p of region r in band b is on lane r + group (p mod m), at kPictureAt + 3 (b S + p div m), S = ceil(kRegion / m). Error 4 and
+; The picture: a lane of member k keeps pixel s + k of every set, three words as in memory.s, in bank 0 from kGathered on, set after set, band after
+; band. So pixel p of region r in band b is on lane r + group (p mod m), at kGathered + 3 (b S + p div m), S = ceil(kRegion / m). Error 4 and
 ; halt: it has no room.
 ; deferred: a pixel is shaded when it is taken out, while others are in transit.
 ; Passes are counted in pixel_passes. Memory: composite_at. Counters: c2 passes left in the set; c3 of a scanline.
-
-; bank 0, behind the texture
-kPictureAt  = 0x8400
-kPictureEnd = 0x10000
 
 composite_at = other_scratch+64         ; registers r1 ... r3, r11, r12, from scanline to scanline
 composite_picture = other_scratch+70    ; where the set's pixel goes
@@ -122,7 +118,7 @@ composite:
         tne     r14, r0
         bt      composite_band
         .endc
-        mov     r15, #kPictureAt
+        mov     r15, #kGathered
         st      r15, composite_picture
         st      r0, pixel_passes
         st      r0, pixel_passes+1
@@ -140,7 +136,7 @@ composite_set:
         .endc
 composite_next_set:
         ld      r15, composite_picture
-        tgeu    r15, #kPictureEnd-2
+        tgeu    r15, #kGatheredEnd-2
         bor     picture_full
         ld      turn, member
         turn_back
@@ -192,18 +188,7 @@ composite_set_done:
         .else
         bt      composite_next_set
         .endc
-        setp    finish
-        .if gt bands-1
-        ld      r20, row_first
-        ld      r21, row_last
-        add     r20, r20, #band_rows
-        add     r21, r21, #band_rows
-        st      r20, row_first
-        st      r21, row_last
-        tlt     r20, #screen_rows
-        bf      composite_line
-        setp    begin_band
-        .endc
+        next_band
 composite_line:
         line
 

@@ -84,7 +84,7 @@ normalise_some:
         begin_some
 normalise_loop:
         slf
-        ld      r1, 0(r30)
+        lds     r1, 0, (r30)
         ld      r5, region_left
         ld      r6, region_right
         ld      r7, d_left(r1)
@@ -150,13 +150,13 @@ band:
         ld      r31, banded_end
 band_loop:
         slf
-        ld      r1, 0(r30)
+        lds     r1, 0, (r30)
         ld      r5, row_first
         ld      r6, row_last
         ld      r7, n_origin(r1)
         ld      r8, n_bottom(r1)
         ld      r9, n_columns(r1)
-        st      r1, 0(r31)
+        sts     r1, 0, (r31)
         tge     r6, r7
         tge.and r8, r5
         tget    r10

@@ -125,7 +125,7 @@ at = at+1
         ld      r17, raster_list_end
         tltu    r16, r17
         slf
-        ld      polygon, 0(r16)
+        lds     polygon, 0, (r16)
         add     r16, r16, #1
         st      r16, raster_next
         ld      r22, n_columns(polygon)
@@ -191,10 +191,10 @@ rasterise:
         st      r1, raster_next
         st      r0, raster_columns
         .if ne fragments
-        mov     r2, #kListAt
+        mov     r2, #kGathered
         st      r2, fragments_end
         .endc
-        mov     polygon, r1             ; lanes that have nothing must read somewhere
+        mov     polygon, r0             ; lanes that have nothing must read somewhere
         mov     pixels, r0
         raster_words st
         setp    rasterise_some

@@ -7,14 +7,17 @@
 ; has its words 0, 1 and 2 (memory.s) at address p of the banks 1, 2 and 3. Between bands all depths are 0: those who take a pixel out clear it.
 
         .iif ndf group, group = 1               ; a divisor of lanes
-        .iif ndf fragments, fragments = 0       ; 1: fragments are sent
 
-kListAt = 0x8400                    ; fragments: bank 0 from here on lists the pixels drawn, behind the texture
-kListed = 0x10000-kListAt
+; Bank 0, behind the texture: two lists of addresses of descriptors, then what is to be brought together (composite.s, fragments.s).
+wanted      = 0x8200                            ; what the lane draws
+banded      = 0x8500                            ; what of that meets the band
+kGathered   = 0x8800
+kGatheredEnd = 0x10000
+
 kRegionColumns = screen_columns+group-1/group
 kRegionSize = 0xff00                            ; pixels; rasterising goes some rows beyond a column's end
         .if ne fragments
-kRegionSize = kListed                           ; ... each may be in the list of those to be sent
+kRegionSize = kGatheredEnd-kGathered            ; each may be in the list of those to be sent
         .endc
 
 ; The greatest power of two of rows that fits, if nothing is said.
@@ -31,6 +34,17 @@ band_rows = 2*band_rows
 kRegion = band_rows*kRegionColumns              ; pixels of a band
         .if lt kRegionSize-kRegion
         .error  a band of band_rows rows does not fit into a lane
+        .endc
+power = 1
+log2_band_rows = 0
+        .rept   9
+        .if lt power-band_rows
+power = 2*power
+log2_band_rows = log2_band_rows+1
+        .endc
+        .endr
+        .if ne power-band_rows&<deferred!fragments>
+        .error  band_rows must be a power of two where shading is deferred or fragments are sent
         .endc
 bands = screen_rows+band_rows-1/band_rows
 
@@ -57,10 +71,8 @@ member      = other_scratch+53          ; lane / group
 members     = other_scratch+54          ; lanes / group
 row_first   = other_scratch+55          ; of the band being drawn
 row_last    = other_scratch+56          ; may lie below the screen
-wanted_end  = other_scratch+57          ; behind the list of descriptors that the lane draws: their addresses, from `wanted` on
-banded_end  = other_scratch+58          ; behind that of those that meet the band, from `banded` on
-wanted      = frame_buffers
-banded      = frame_buffers+0x300
+wanted_end  = other_scratch+57          ; behind the last of `wanted`
+banded_end  = other_scratch+58          ; of `banded`
 
         .macro  find_region
         ld      r1, lane
@@ -88,4 +100,31 @@ banded      = frame_buffers+0x300
         .macro  begin_list at, end
         mov     r10, #at
         st      r10, end
+        .endm
+
+; The pixel at address `at` of the region: its column and row on the screen. t, u: to work with.
+        .macro  place column, row, at, t, u
+        ld      column, region_left
+        ld      row, row_first
+        shr     t, at, #log2_band_rows
+        and     u, at, #band_rows-1
+        add     column, column, t
+        add     row, row, u
+        .endm
+
+; Sets the procedure pointer to what follows a band.
+        .macro  next_band ?none
+        setp    finish
+        .if gt bands-1
+        ld      r26, row_first
+        ld      r27, row_last
+        add     r26, r26, #band_rows
+        add     r27, r27, #band_rows
+        st      r26, row_first
+        st      r27, row_last
+        tlt     r26, #screen_rows
+        bf      none
+        setp    begin_band
+none:
+        .endc
         .endm

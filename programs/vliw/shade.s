@@ -9,18 +9,6 @@ kShading    = 170                       ; cycles, at most
 kShading    = 80
         .endc
 
-power = 1
-log2_band_rows = 0
-        .rept   9
-        .if lt power-band_rows
-power = 2*power
-log2_band_rows = log2_band_rows+1
-        .endc
-        .endr
-        .if ne power-band_rows
-        .error  deferred shading needs band_rows that are a power of two
-        .endc
-
 ; Where the texture is 0 the polygon's colour, a word of the descriptor, in place of that in `colour`. flag: 1 if textured. t, u: to work with.
         .macro  choose polygon, colour, word, flag, t, u
         ld      t, word(polygon)
@@ -32,12 +20,7 @@ log2_band_rows = log2_band_rows+1
 ; The pixel at address `at`: depth:fraction in zh:zl, the descriptor's address in `polygon`. Makes of the last two the words 1 and 2 of memory.s.
 ; Changes r14 ... r31.
         .macro  shade zh, zl, polygon, at
-        ld      r15, region_left
-        ld      r14, row_first
-        shr     r16, at, #log2_band_rows
-        and     r17, at, #band_rows-1
-        add     r15, r15, r16
-        add     r14, r14, r17
+        place   r15, r14, at, r16, r17
         intensity_value polygon, r15, r14, r31, r28, r22, r23, r24, r25, r26, r27
         .if ne textured
         long_value polygon, d_u, r15, r14, kUBias, r18, r19, r22, r23, r24, r25, r26, r27

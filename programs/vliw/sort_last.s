@@ -1,7 +1,9 @@
 ; SPDX-License-Identifier: MIT
-; The dense sort-last renderer (Eldridge 1995, 3.2.1): each lane draws its own polygons on the whole screen, band after band; the bands are
-; composited. That is sort-twice with one region.
+; The sort-last renderers (Eldridge 1995, 3.2.1): each lane draws its own polygons on the whole screen, band after band. dense 1: the bands are
+; composited, which is sort-twice with one region. dense 0: each lane sends what it has drawn to the lanes that draw columns.
+        .iif ndf dense, dense = 1
 group = 1
 deferred = 0
-        .include "composited.s"
+fragments = 1-dense
+        .include "regions.s"
         .end    start

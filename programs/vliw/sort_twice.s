@@ -3,5 +3,5 @@
 ; assigns it and then includes this one.
         .iif ndf group, group = 64
         .iif ndf deferred, deferred = 1
-        .include "composited.s"
+        .include "regions.s"
         .end    start

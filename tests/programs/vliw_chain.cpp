@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -177,9 +179,14 @@ ScreenPicture composited_picture(const VliwRenderer& renderer, ScreenSize screen
         const int p = (x - region * columns) * band_rows + y % band_rows;
         const int offset = 3 * (y / band_rows * sets + p / members);
         return pixel_at(renderer, region + group * (p % members),
-                        isa::vliw::slow_address(0, renderer.symbol("kPictureAt")) +
+                        isa::vliw::slow_address(0, renderer.symbol("kGathered")) +
                             static_cast<std::uint32_t>(offset));
     });
+}
+
+int differences(const ScreenPicture& a, const ScreenPicture& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(),
+                              std::not_equal_to<>());
 }
 
 ScreenPicture sort_middle_picture(const std::vector<ScenePolygon>& scene, Defines options,

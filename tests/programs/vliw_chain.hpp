@@ -35,6 +35,9 @@ ScreenPicture shown_picture(const VliwRenderer& renderer, ScreenSize screen = {}
 // Of one that composites, by the rule of composite.s.
 ScreenPicture composited_picture(const VliwRenderer& renderer, ScreenSize screen = {});
 
+// Pixels that differ.
+int differences(const ScreenPicture& a, const ScreenPicture& b);
+
 // The same scene's picture by sort_middle.s.
 ScreenPicture sort_middle_picture(const std::vector<ScenePolygon>& scene, Defines options,
                                   ScreenSize screen = {});

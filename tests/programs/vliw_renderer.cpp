@@ -19,7 +19,7 @@ using isa::vliw::Program;
 
 constexpr std::int64_t kScanlineCycles = 910;
 constexpr std::int64_t kScanlinesAtMost = 1'000'000;
-constexpr std::int64_t kBundlesAtOnce = 1'000'000;
+constexpr std::int64_t kBundlesAtOnce = 20'000'000;
 
 isa::Image assembled(std::string_view source, const Defines& defines, Form form) {
     isa::AssemblerOptions options;

@@ -3,8 +3,6 @@
 #include "programs/vliw_chain.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -25,11 +23,6 @@ ScreenPicture picture_of(const std::vector<ScenePolygon>& scene, const Case& tes
 
 std::ptrdiff_t drawn(const ScreenPicture& picture) {
     return std::ranges::count_if(picture, [](const ScreenPixel& pixel) { return pixel[0] != 0; });
-}
-
-int differences(const ScreenPicture& a, const ScreenPicture& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(),
-                              std::not_equal_to<>());
 }
 
 class VliwSortTwice : public ::testing::TestWithParam<Case> {};
