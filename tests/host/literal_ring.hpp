@@ -56,7 +56,7 @@ struct LiteralRing {
                 }
             if (std::ranges::none_of(ring, [](const auto& slot) { return slot != nullptr; }))
                 return;
-            std::ranges::rotate(ring, ring.end() - setup.reach.stride);
+            std::rotate(ring.begin(), ring.end() - setup.reach.stride, ring.end());
             ++passes;
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 if (!ring[i])
