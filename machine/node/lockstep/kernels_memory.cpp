@@ -130,12 +130,18 @@ HWY_INLINE void each_word(LaneBlock& block, std::uint32_t bank, const Addresses&
                           DoWord do_word) {
     const LaneMemory& memory = *block.parts->memory;
     const MemoryRegion& region = memory.region(bank + addresses.least);
-    if (!region.holds(bank + addresses.most)) {
+    MemoryExtent extent = memory.extent(bank + addresses.least);
+    if (!extent.holds(bank + addresses.most)) {
+        const MemoryRegion* own = &region;
+        MemoryView view = region.view();
         each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
-            const MemoryRegion& own = memory.region(bank + addresses.of[lane]);
-            const MemoryView& view = own.view();
-            do_word(lane,
-                    own.at(view, block.index, bank + addresses.of[lane])[lane * view.lane_stride]);
+            const std::uint32_t address = bank + addresses.of[lane];
+            if (!extent.holds(address)) {
+                extent = memory.extent(address);
+                own = &memory.region(address);
+                view = own->view();
+            }
+            do_word(lane, own->at(view, block.index, address)[lane * view.lane_stride]);
         });
         return;
     }
@@ -246,7 +252,8 @@ void store_each(LaneBlock& block, const MicroOperation& op, std::uint16_t addres
     leave_lines(block, op.where, addresses.least, addresses.most);
     LaneMemory& memory = *block.parts->memory;
     const MemoryRegion& region = memory.region(op.where + addresses.least);
-    if (!region.holds(op.where + addresses.most) || region.view().lane_stride == 0) {
+    if (!memory.extent(op.where + addresses.least).holds(op.where + addresses.most) ||
+        region.view().lane_stride == 0) {
         each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
             const MemoryRegion& own = memory.region(op.where + addresses.of[lane]);
             if (own.view().lane_stride == 0) {

@@ -33,6 +33,7 @@ LaneMemory::LaneMemory(std::int64_t lanes, int width)
       blocks_((lanes_ + width_ - 1) / width_) {
     MemoryRegion& rest = add_region(0, kLaneWords, LaneLayout::across);
     unit_regions_.assign(kLaneWords / kUnit, &rest);
+    find_extents();
 }
 
 MemoryRegion::Stored LaneMemory::across(std::uint32_t words) const {
@@ -80,6 +81,22 @@ void LaneMemory::set_layout(std::uint32_t first, std::uint32_t words, LaneLayout
         move(region, unit * kUnit, std::min(first, (unit + 1) * kUnit));
         move(region, std::max(first + words, unit * kUnit), (unit + 1) * kUnit);
         unit_regions_[unit] = &region;
+    }
+    find_extents();
+}
+
+void LaneMemory::find_extents() {
+    extents_.resize(unit_regions_.size());
+    for (std::size_t first = 0; first < extents_.size();) {
+        std::size_t end = first;
+        while (end < extents_.size() && unit_regions_[end] == unit_regions_[first]) {
+            ++end;
+        }
+        const MemoryExtent extent{static_cast<std::uint32_t>(first * kUnit),
+                                  static_cast<std::uint32_t>(end * kUnit)};
+        std::fill(extents_.begin() + static_cast<std::ptrdiff_t>(first),
+                  extents_.begin() + static_cast<std::ptrdiff_t>(end), extent);
+        first = end;
     }
 }
 

@@ -27,8 +27,6 @@ struct MemoryView {
 class MemoryRegion {
   public:
     std::uint32_t first() const { return first_; }
-    std::uint32_t end() const { return first_ + words_; }
-    bool holds(std::uint32_t address) const { return address - first_ < words_; }
     const MemoryView& view() const { return *view_.load(std::memory_order_acquire); }
     std::uint16_t* at(const MemoryView& view, std::size_t block, std::uint32_t address) const {
         return view.words + block * view.block_stride + (address - first_) * view.address_stride;
@@ -48,6 +46,14 @@ class MemoryRegion {
     std::atomic<const MemoryView*> view_{nullptr};
 };
 
+// Successive word addresses of one region.
+struct MemoryExtent {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+
+    bool holds(std::uint32_t address) const { return address >= first && address < end; }
+};
+
 class LaneMemory {
   public:
     // `width`: lanes in a block.
@@ -60,6 +66,8 @@ class LaneMemory {
     const MemoryRegion& region(std::uint32_t address) const {
         return *unit_regions_[address / kUnit];
     }
+    // All around the address that is of the same region: another may lie in the region's midst.
+    const MemoryExtent& extent(std::uint32_t address) const { return extents_[address / kUnit]; }
     // Gives each lane its own copy, for a store: the view is then `along`. By any thread.
     void unshare(const MemoryRegion& region);
 
@@ -74,6 +82,7 @@ class LaneMemory {
     MemoryRegion::Stored along(std::uint32_t words) const;
     MemoryRegion::Stored across(std::uint32_t words) const;
     MemoryRegion& add_region(std::uint32_t first, std::uint32_t words, LaneLayout layout);
+    void find_extents();
     void move(MemoryRegion& to, std::uint32_t first, std::uint32_t end);
     std::uint16_t* word(const MemoryRegion& region, std::int64_t lane, std::uint32_t address) const;
 
@@ -82,6 +91,7 @@ class LaneMemory {
     std::size_t blocks_;
     std::vector<std::unique_ptr<MemoryRegion>> regions_;  // the first is what nobody declared
     std::vector<MemoryRegion*> unit_regions_;
+    std::vector<MemoryExtent> extents_;  // by unit
     std::mutex unsharing_;
 };
 

@@ -179,11 +179,13 @@ inline const Relation& relation_of(LaneBlock& block, std::uint16_t a, std::uint1
 
 // The addresses of a line: of lanes for which it lies in the region, of other lanes that of the
 // first awake lane, where it does no harm. False if there is an awake lane among the others.
-HWY_INLINE bool find_line(const LaneBlock& block, Line& line, const MemoryRegion& region,
-                          std::uint16_t anchor, std::uint16_t* at) {
+HWY_INLINE bool find_line(const LaneBlock& block, Line& line, std::uint16_t anchor,
+                          std::uint16_t* at) {
     const Words d;
-    const std::uint32_t low = region.first() > line.bank ? region.first() - line.bank : 0;
-    const std::uint32_t end = std::min(region.end() - line.bank, 0x10000U);
+    const MemoryExtent& extent = block.parts->memory->extent(line.bank + anchor);
+    const std::uint32_t low = extent.first > line.bank ? extent.first - line.bank : 0;
+    const std::uint32_t end =
+        std::min<std::uint32_t>(extent.end - line.bank, isa::vliw::kBankWords);
     const Vector first = hn::Set(d, static_cast<std::uint16_t>(low));
     const Vector room = hn::Set(d, static_cast<std::uint16_t>(end - low - kLineWords));
     const Vector offset = hn::Set(d, line.offset);
@@ -248,7 +250,7 @@ inline const Line* fetch_line(LaneBlock& block, const MicroOperation& op, std::u
     line.base = op.a;
     line.bank = op.where;
     line.offset = line_offset(op.immediate);
-    if (!find_line(block, line, region, anchor, at)) {
+    if (!find_line(block, line, anchor, at)) {
         return nullptr;
     }
     if (open_line_concerns(block, line)) {
@@ -279,7 +281,7 @@ inline bool open_line(LaneBlock& block, const MicroOperation& op, std::uint16_t 
     open.base = op.a;
     open.bank = op.where;
     open.offset = line_offset(op.immediate);
-    if (!find_line(block, open, region, anchor, lines.open_at.data())) {
+    if (!find_line(block, open, anchor, lines.open_at.data())) {
         return false;
     }
     if (region.view().lane_stride == 0) {

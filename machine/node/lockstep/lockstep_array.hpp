@@ -37,7 +37,7 @@ class LockstepArray {
   public:
     struct Settings {
         std::int64_t lanes = 1024;  // 1 ... 65 536
-        int threads = 1;            // of the host
+        int threads = 1;            // of the host; one for 256 lanes at the most
     };
 
     enum class Reason : std::uint8_t {

@@ -36,7 +36,7 @@ class Pointers {
           back_(static_cast<std::ptrdiff_t>(region_->first()) - bank) {}
 
     std::uint16_t* operator()(std::size_t lane, int offset) const {
-        return words_ + static_cast<std::ptrdiff_t>(lane * stride_) + row_[lane] + offset - back_;
+        return words_ + (static_cast<std::ptrdiff_t>(lane * stride_) + row_[lane] + offset - back_);
     }
 
   private:
@@ -52,9 +52,9 @@ bool lies_along(const LaneBlock& block, std::uint32_t bank, PointerRange range,
     const std::uint32_t first = range.least + static_cast<std::uint32_t>(transfer.first_offset);
     const std::uint32_t last = range.most + static_cast<std::uint32_t>(transfer.last_offset);
     const MemoryRegion& region = block.parts->memory->region(bank + first);
-    return last < isa::vliw::kBankWords && region.holds(bank + first) &&
-           region.holds(bank + last) && region.view().address_stride == 1 &&
-           region.view().lane_stride > 1;
+    return last < isa::vliw::kBankWords &&
+           block.parts->memory->extent(bank + first).holds(bank + last) &&
+           region.view().address_stride == 1 && region.view().lane_stride > 1;
 }
 
 }  // namespace

@@ -300,7 +300,7 @@ class RecordProgram {
 };
 
 TEST(LockstepArrayRecords, AreReadAndWrittenAsByTheInterpreter) {
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
         const auto program = testing::program_of(RecordProgram(seed).bundles());
         Interpreter interpreter(program, 290);
         isa::vliw::testing::randomize(interpreter, seed);

@@ -112,6 +112,27 @@ TEST(LockstepArray, KeepsWhatIsWrittenInEveryLayout) {
     }
 }
 
+TEST(LockstepArray, FindsWordsOnBothSidesOfALayoutAndInIt) {
+    std::vector<Bundle> bundles(3);
+    bundles[0].mem = {MemOp::ld, 0, 2, 1, 0};
+    bundles[1].mem = {MemOp::st, 0, 2, 1, 9};
+    bundles[2] = sequence(SeqOp::halt);
+    LockstepArray array(testing::program_of(bundles), {.lanes = 3});
+    array.set_layout(0x1000, 0x2000, LaneLayout::along);
+    const std::array<std::uint16_t, 3> pointers{0x10, 0x2000, 0x5000};
+    for (std::int64_t lane = 0; lane < 3; ++lane) {
+        const std::uint16_t pointer = pointers[static_cast<std::size_t>(lane)];
+        array.set_reg(lane, 1, pointer);
+        array.write(lane, pointer, std::array<std::uint16_t, 1>{pointer});
+    }
+    array.run(kMuch);
+    for (std::int64_t lane = 0; lane < 3; ++lane) {
+        const std::uint16_t pointer = pointers[static_cast<std::size_t>(lane)];
+        EXPECT_EQ(array.reg(lane, 2), pointer);
+        EXPECT_EQ(array.read(lane, pointer + 9U), pointer);
+    }
+}
+
 TEST(LockstepArray, TakesNoMemoryThatIsNotTouched) {
     const std::int64_t before = resident();
     LockstepArray array(testing::program_of({sequence(SeqOp::halt)}), {.lanes = 65'536});
