@@ -34,8 +34,8 @@ struct Image {
     std::uint32_t entry = 0;                                    // address of the first instruction
     std::vector<Segment> segments;                              // ascending, not overlapping
     std::map<std::string, std::uint32_t, std::less<>> symbols;  // labels and assigned symbols
-    std::set<std::string, std::less<>> labels;      // those of the symbols that are labels
-    std::map<std::uint32_t, SourceLocation> lines;  // address of each statement's output
+    std::map<std::uint32_t, SourceLocation> lines;   // address of each statement's output
+    std::set<std::string, std::less<>> labels = {};  // those of the symbols that are labels
 
     std::optional<std::uint32_t> symbol(std::string_view symbol_name) const {
         const auto found = symbols.find(symbol_name);

@@ -36,7 +36,7 @@ struct Subject {
     std::string reserved;  // an instruction, then what is none
     std::string store;  // moves something to the first I/O address, then the pointer goes on; then
                         // a halt; empty, as the next: there is no I/O page
-    std::string load;       // moves something from there, then the pointer goes on; then a halt
+    std::string load;   // moves something from there, then the pointer goes on; then a halt
     std::string interrupt;  // allows interrupts and loops; the handler halts at "handler"; empty:
                             // there are none
     int level = 0;          // of the interrupt
