@@ -103,7 +103,7 @@ kHopCycles  = 3*<2+group>+15
         .if lt kHopCycles-kShading
 kHopCycles  = kShading
         .endc
-kHops       = kPassCycles-60-kShading/kHopCycles        ; on a scanline
+kHops       = kPassCycles-40-kShading/kHopCycles        ; on a scanline that begins a set and ends it
         .if ne line_locked
         .if lt kHops-1
         .error  a pass of `group` places does not fit into a scanline
@@ -136,7 +136,8 @@ composite_set:
         .endc
 composite_next_set:
         ld      r15, composite_picture
-        tgeu    r15, #kGatheredEnd-2
+        sub     r16, r15, #kGathered
+        tgeu    r16, #kGatheredEnd-kGathered-kPixel+1
         bor     picture_full
         ld      turn, member
         turn_back

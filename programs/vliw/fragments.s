@@ -27,7 +27,7 @@ next0   = r13
 next1   = r14
 next2   = r15
 
-kSendCycles = 5*3+30                    ; of a pass, at most
+kSendCycles = 38                        ; of a pass, at most
 
         .macro  fragment_words op
 at = fragment_slot

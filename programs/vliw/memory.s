@@ -101,4 +101,5 @@ kUBias      = 128       ; whole units
 ; and row 128 are copies of column 0 and row 0. A texel: 5 bits red, 6 green, 5 blue. Polygons with any texture but 0 have this one.
 ;
 ; A pixel: 3 words. 0: depth, whole part (0: nothing drawn); 1: depth's fraction, upper byte; red; 2: green, blue.
+; Renderers by regions have it elsewhere, a word in each of three banks, and the finished picture spread over the lanes: region.s, composite.s.
 kPixel      = 3

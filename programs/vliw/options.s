@@ -9,7 +9,7 @@
         .iif ndf deferred, deferred = 0         ; 1: colours only where pictures are composited, see shade.s
         .iif ndf video, video = 1               ; 0: the picture ends elsewhere than in frame buffers
         .if ndf samples                         ; rows between two looks for the next polygon
-        .if ne textured
+        .if ne textured&<1-deferred>
 samples = 4
         .else
 samples = 8

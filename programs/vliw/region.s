@@ -14,6 +14,9 @@ banded      = 0x8500                            ; what of that meets the band
 kGathered   = 0x8800
 kGatheredEnd = 0x10000
 
+        .if lt 1023-group*<group-1>
+        .error  group must be 1 to 1023, the longest shift
+        .endc
 kRegionColumns = screen_columns+group-1/group
 kRegionSize = 0xff00                            ; pixels; rasterising goes some rows beyond a column's end
         .if ne fragments
@@ -43,8 +46,10 @@ power = 2*power
 log2_band_rows = log2_band_rows+1
         .endc
         .endr
-        .if ne power-band_rows&<deferred!fragments>
+        .if ne power-band_rows
+        .if ne deferred!fragments
         .error  band_rows must be a power of two where shading is deferred or fragments are sent
+        .endc
         .endc
 bands = screen_rows+band_rows-1/band_rows
 

@@ -4,9 +4,9 @@
 ; screen: the same words as stepping from row to row gives. No lane sleeps: the scheduler puts it into the shifts' bundles.
 
         .if ne textured
-kShading    = 170                       ; cycles, at most
+kShading    = 125                       ; cycles, when nothing else is done
         .else
-kShading    = 80
+kShading    = 50
         .endc
 
 ; Where the texture is 0 the polygon's colour, a word of the descriptor, in place of that in `colour`. flag: 1 if textured. t, u: to work with.

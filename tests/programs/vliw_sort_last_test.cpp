@@ -2,6 +2,8 @@
 // sort_last.s, dense and sparse, held against sort_middle.s.
 #include "programs/vliw_chain.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace rasterloom::test {
@@ -39,6 +41,62 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Case{48, {{"dense", 0}}}, Case{50, {{"dense", 0}, {"band_rows", 16}}},
                       Case{48, {{"dense", 0}, {"textured", 1}, {"band_rows", 8}}},
                       Case{48, {{"dense", 0}, {"line_locked", 1}, {"band_rows", 32}}}));
+
+constexpr int kColumns = ScreenSize{}.columns;
+constexpr int kPixels = kColumns * ScreenSize{}.rows;
+
+TEST(VliwSortLastDense, CompositesEveryPixelInLanesLessOnePasses) {
+    VliwRenderer renderer = chain_of("sort_last.s", {}, {{"band_rows", 16}}, 12);
+    renderer.run();
+    EXPECT_EQ(renderer.read(0, "pixel_passes"), kPixels / 12 * 11);
+}
+
+// One triangle on one lane: its fragments leave one after the other; the last one goes as far as
+// the others at most, which is all the way round.
+TEST(VliwSortLastSparse, TakesAPassAFragmentAndOnceTheRing) {
+    VliwRenderer renderer =
+        chain_of("sort_last.s", random_scene(1, 40, 5), {{"dense", 0}}, kColumns);
+    renderer.run();
+    const ScreenPicture picture = shown_picture(renderer);
+    const auto fragments =
+        std::ranges::count_if(picture, [](const ScreenPixel& pixel) { return pixel[0] != 0; });
+    const int passes = renderer.read(0, "pixel_passes");
+    EXPECT_GT(fragments, 50);
+    EXPECT_GE(passes, fragments);
+    EXPECT_LE(passes, fragments + kColumns * renderer.symbol("bands"));
+}
+
+TEST(VliwSortLastSparse, DrawsTheSameByTheProgramAsWrittenAndInTheNextPicture) {
+    const auto scene = random_scene(40, 20, 6);
+    VliwRenderer packed = chain_of("sort_last.s", scene, {{"dense", 0}}, kColumns);
+    packed.run();
+    const ScreenPicture first = shown_picture(packed);
+    packed.run();
+    EXPECT_EQ(differences(shown_picture(packed), first), 0);
+    VliwRenderer written =
+        chain_of("sort_last.s", scene, {{"dense", 0}}, kColumns, Form::as_written);
+    written.run();
+    EXPECT_EQ(differences(shown_picture(written), first), 0);
+}
+
+TEST(VliwSortLastSparse, HaltsWithThreeOnARingShorterThanTheScreenIsWide) {
+    VliwRenderer renderer = chain_of("sort_last.s", {}, {{"dense", 0}}, kColumns - 1);
+    ASSERT_TRUE(renderer.run());
+    EXPECT_EQ(renderer.read(0, "error"), 3);
+}
+
+TEST(VliwSortLastPasses, CostNoMoreThanEldridges) {
+    const VliwRenderer dense("sort_last.s", {}, 1);
+    EXPECT_LE(dense.cost("composite_pass", "composite_set_done").cycles, 3 * 3 + 15);
+    const VliwRenderer sparse("sort_last.s", {{"dense", 0}}, 1);
+    EXPECT_LE(sparse.cost("send_loop", "send_done").cycles, 3 * 5 + 30);
+}
+
+// 768 x 512: the bands that fit into a lane's memory.
+TEST(VliwSortLastBands, Are64RowsDenseAnd32Sparse) {
+    EXPECT_EQ(VliwRenderer("sort_last.s", {}, 1).symbol("band_rows"), 64);
+    EXPECT_EQ(VliwRenderer("sort_last.s", {{"dense", 0}}, 1).symbol("band_rows"), 32);
+}
 
 }  // namespace
 }  // namespace rasterloom::test
