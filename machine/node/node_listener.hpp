@@ -16,8 +16,9 @@ enum class NodeState : std::uint8_t {
     waiting_output,     // stalled until an output queue had room
     waiting_phase,      // stalled until the next phase was announced
     waiting_interrupt,  // after a wait-for-interrupt instruction
+    asleep,             // a lane of a lock-step array that takes no part in what the others do
 };
-inline constexpr int kNodeStates = 5;
+inline constexpr int kNodeStates = 6;
 inline constexpr int kActivities = 16;  // what MARK can name
 
 // A node's time line is its intervals one after the other; after the last it is halted. A stall

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/statistics_files.hpp"
 
+#include "machine/observe/array_json.hpp"
 #include "machine/observe/csv_text.hpp"
 
 #include <array>
@@ -17,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, kNodeStates> kStateNames{
-    "busy", "waiting_input", "waiting_output", "waiting_phase", "waiting_interrupt"};
+    "busy", "waiting_input", "waiting_output", "waiting_phase", "waiting_interrupt", "asleep"};
 
 std::string key(std::string_view name, std::string_view unit) {
     return fmt::format("{}_{}", name, unit);
@@ -219,6 +220,9 @@ std::string statistics_json(const RunReport& report) {
                                                  static_cast<double>(report.nodes.size())},
                            {"busiest_over_mean", report.imbalance()}};
         json["fabric"] = fabric_json(report);
+    }
+    if (report.array) {
+        json["array"] = array_json(report);
     }
     if (!report.paths.empty()) {
         json["critical_paths"] = paths_json(report);

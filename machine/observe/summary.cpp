@@ -174,7 +174,9 @@ std::string summary(const RunReport& report, double wall_seconds) {
     const std::int64_t instructions = report.instructions();
     fmt::format_to(out, "{}: {} node{}", report.machine.empty() ? "machine" : report.machine,
                    report.nodes.size(), report.nodes.size() == 1 ? "" : "s");
-    text += report.fabric.empty() ? fmt::format(", {} links\n", report.links.size()) : "\n";
+    text += report.array            ? " in lock-step\n"
+            : report.fabric.empty() ? fmt::format(", {} links\n", report.links.size())
+                                    : "\n";
     add_frames(text, report);
     fmt::format_to(out, "Machine time    {} = {} u\n", human(report.end.since_start()),
                    report.units(report.end.since_start()));
@@ -195,7 +197,11 @@ std::string summary(const RunReport& report, double wall_seconds) {
         add_balance(text, report);
         text += fabric_summary(report.fabric, report.end.since_start());
     }
-    add_phases(text, report);
+    if (report.array) {
+        text += array_summary(*report.array, report.phase_names);
+    } else {
+        add_phases(text, report);
+    }
     add_busiest(text, report);
     return text;
 }

@@ -75,12 +75,12 @@ void SqliteTrace::expect_consistent(const RunOutcome& outcome) const {
     EXPECT_EQ(number("SELECT count(*) FROM part_summary JOIN component ON component.id = component "
                      "WHERE kind <> 'frame_buffer_bus' AND busy_ps <> (SELECT coalesce(sum(to_ps - "
                      "from_ps), 0) FROM state WHERE state.component = part_summary.component AND "
-                     "state = 6)"),
+                     "state = (SELECT id FROM state_name WHERE name = 'part_busy'))"),
               0);
     // Nobody is blamed for more than what was waited.
     EXPECT_LE(number("SELECT sum(time_ps) FROM wait_cause"),
               number("SELECT sum(waiting_input_ps + waiting_output_ps + waiting_phase_ps + "
-                     "waiting_interrupt_ps) FROM node_summary"));
+                     "waiting_interrupt_ps + asleep_ps) FROM node_summary"));
     // A path is as long as its frame.
     EXPECT_EQ(number("SELECT count(*) FROM path WHERE ended_ps - began_ps <> (SELECT sum(to_ps - "
                      "from_ps) FROM path_step WHERE path_step.frame = path.frame)"),

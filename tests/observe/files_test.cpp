@@ -46,7 +46,7 @@ TEST(NodesCsv, HasOneRowANodeAndQuotesNames) {
     const auto commas = std::count(lines[0].begin(), lines[0].end(), ',');
     EXPECT_EQ(std::count(lines[1].begin(), lines[1].end(), ','), commas);
     EXPECT_TRUE(
-        lines[2].starts_with("1,\"odd, \"\"name\"\"\",10,20,200000000,50000000,0,0,0,750000000,"))
+        lines[2].starts_with("1,\"odd, \"\"name\"\"\",10,20,200000000,50000000,0,0,0,0,750000000,"))
         << lines[2];
 }
 

@@ -20,6 +20,7 @@ inline RunReport small_run() {
                      .nodes = {},
                      .links = {},
                      .fabric = {},
+                     .array = {},
                      .paths = {},
                      .phase_names = {"rotate"},
                      .activity_names = {"", "route"},

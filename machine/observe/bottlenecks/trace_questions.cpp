@@ -83,7 +83,7 @@ std::vector<Balance> balance_by_phase(const Database& trace) {
 Duration idle_time(const Database& trace) {
     Statement row = trace.prepare(
         "SELECT sum(waiting_input_ps + waiting_output_ps + waiting_phase_ps + "
-        "waiting_interrupt_ps) FROM node_summary");
+        "waiting_interrupt_ps + asleep_ps) FROM node_summary");
     return row.step() ? time_of(row, 0) : Duration();
 }
 
@@ -93,7 +93,8 @@ std::vector<IdleCause> idle_causes(const Database& trace) {
         "WITH total AS (SELECT 1 AS state, sum(waiting_input_ps) AS time FROM node_summary UNION "
         "ALL SELECT 2, sum(waiting_output_ps) FROM node_summary UNION ALL SELECT 3, "
         "sum(waiting_phase_ps) FROM node_summary UNION ALL SELECT 4, sum(waiting_interrupt_ps) "
-        "FROM node_summary), explained AS (SELECT state, CASE WHEN on_wire THEN 'wire' ELSE kind "
+        "FROM node_summary UNION ALL SELECT 5, sum(asleep_ps) FROM node_summary), explained AS "
+        "(SELECT state, CASE WHEN on_wire THEN 'wire' ELSE kind "
         "END AS cause, sum(time_ps) AS time FROM wait_cause JOIN component ON component.id = "
         "component GROUP BY 1, 2) SELECT state_name.name, cause, time FROM (SELECT * FROM "
         "explained UNION ALL SELECT total.state, 'unknown', total.time - coalesce((SELECT "

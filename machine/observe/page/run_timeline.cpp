@@ -29,6 +29,7 @@ constexpr std::array<StateName, kNodeStates> kStates{{
     {"waiting_output", "waiting for room to send"},
     {"waiting_phase", "waiting for the next phase"},
     {"waiting_interrupt", "waiting for an interrupt"},
+    {"asleep", "asleep"},
 }};
 
 std::size_t bins_for(std::size_t tracks) {

@@ -38,6 +38,8 @@ const char* words_for(NodeState state) {
             return "waits for the next phase";
         case NodeState::waiting_interrupt:
             return "waits for an interrupt";
+        case NodeState::asleep:
+            return "asleep";
     }
     return "";
 }

@@ -36,8 +36,9 @@ void SqliteTrace::add_node(ComponentId id, const NodeReport& node) {
                {component, counted.instructions, counted.cycles, time_in(NodeState::busy),
                 time_in(NodeState::waiting_input), time_in(NodeState::waiting_output),
                 time_in(NodeState::waiting_phase), time_in(NodeState::waiting_interrupt),
-                node.messages_sent, node.bytes_sent, node.messages_received, node.bytes_received,
-                std::int64_t{node.peak_output_queue}, std::int64_t{node.peak_input_queue}});
+                time_in(NodeState::asleep), node.messages_sent, node.bytes_sent,
+                node.messages_received, node.bytes_received, std::int64_t{node.peak_output_queue},
+                std::int64_t{node.peak_input_queue}});
     for (std::size_t phase = 0; phase < counted.phases.size(); ++phase) {
         const Duration busy =
             counted.phases[phase].in_state[static_cast<std::size_t>(NodeState::busy)];

@@ -18,8 +18,8 @@ namespace {
 constexpr int kPartStates = kNodeStates;
 
 constexpr const char* kStateNames[] = {"busy",          "waiting_input",     "waiting_output",
-                                       "waiting_phase", "waiting_interrupt", "idle",
-                                       "part_busy",     "part_blocked"};
+                                       "waiting_phase", "waiting_interrupt", "asleep",
+                                       "idle",          "part_busy",         "part_blocked"};
 
 std::int64_t key_of(EventId event) {
     return static_cast<std::int64_t>(event.source) << 32 | event.sequence;

@@ -4,7 +4,7 @@
 
 namespace rasterloom::observe {
 
-inline constexpr int kTraceFormat = 1;                // PRAGMA user_version
+inline constexpr int kTraceFormat = 2;                // PRAGMA user_version
 inline constexpr int kTraceApplication = 0x52617374;  // PRAGMA application_id: "Rast"
 
 // Times are picoseconds of the machine's time since it began. Everything that points to a part of
@@ -18,7 +18,7 @@ CREATE TABLE phase (number INTEGER PRIMARY KEY, frame INTEGER NOT NULL, phase IN
 CREATE TABLE state (component INTEGER NOT NULL, state INTEGER NOT NULL, activity INTEGER, from_ps INTEGER NOT NULL, to_ps INTEGER NOT NULL, because INTEGER);
 CREATE TABLE message (event INTEGER NOT NULL, id INTEGER NOT NULL, kind INTEGER NOT NULL, bytes INTEGER NOT NULL, hops INTEGER NOT NULL, source INTEGER NOT NULL, carrier INTEGER NOT NULL, receiver INTEGER NOT NULL, queued_ps INTEGER NOT NULL, started_ps INTEGER NOT NULL, sent_ps INTEGER NOT NULL, delivered_ps INTEGER NOT NULL, consumed_ps INTEGER NOT NULL, parent INTEGER);
 CREATE TABLE wait_cause (state INTEGER NOT NULL, component INTEGER NOT NULL, on_wire INTEGER NOT NULL, waits INTEGER NOT NULL, time_ps INTEGER NOT NULL);
-CREATE TABLE node_summary (component INTEGER PRIMARY KEY, instructions INTEGER NOT NULL, cycles INTEGER NOT NULL, busy_ps INTEGER NOT NULL, waiting_input_ps INTEGER NOT NULL, waiting_output_ps INTEGER NOT NULL, waiting_phase_ps INTEGER NOT NULL, waiting_interrupt_ps INTEGER NOT NULL, messages_sent INTEGER NOT NULL, bytes_sent INTEGER NOT NULL, messages_received INTEGER NOT NULL, bytes_received INTEGER NOT NULL, peak_output_queue INTEGER NOT NULL, peak_input_queue INTEGER NOT NULL);
+CREATE TABLE node_summary (component INTEGER PRIMARY KEY, instructions INTEGER NOT NULL, cycles INTEGER NOT NULL, busy_ps INTEGER NOT NULL, waiting_input_ps INTEGER NOT NULL, waiting_output_ps INTEGER NOT NULL, waiting_phase_ps INTEGER NOT NULL, waiting_interrupt_ps INTEGER NOT NULL, asleep_ps INTEGER NOT NULL, messages_sent INTEGER NOT NULL, bytes_sent INTEGER NOT NULL, messages_received INTEGER NOT NULL, bytes_received INTEGER NOT NULL, peak_output_queue INTEGER NOT NULL, peak_input_queue INTEGER NOT NULL);
 CREATE TABLE node_phase (component INTEGER NOT NULL, phase INTEGER NOT NULL, busy_ps INTEGER NOT NULL, PRIMARY KEY (component, phase)) WITHOUT ROWID;
 CREATE TABLE link_summary (component INTEGER PRIMARY KEY, messages INTEGER NOT NULL, bytes INTEGER NOT NULL, busy_ps INTEGER NOT NULL, blocked_ps INTEGER NOT NULL, peak_output_queue INTEGER NOT NULL, peak_input_queue INTEGER NOT NULL);
 CREATE TABLE part_summary (component INTEGER PRIMARY KEY, polygons INTEGER NOT NULL, words INTEGER NOT NULL, busy_ps INTEGER NOT NULL, blocked_ps INTEGER NOT NULL, waited_for TEXT, waited_for_ps INTEGER NOT NULL, input_peak INTEGER NOT NULL, input_full_ps INTEGER NOT NULL);

@@ -10,6 +10,7 @@ const STATES = {
     waiting_output: '#cc79a7',
     waiting_phase: '#9fc9e8',
     waiting_interrupt: '#b9a6e0',
+    asleep: '#d9d9d9',
     halted: '#8c8c8c',
     waiting: '#e69f00',
     blocked: '#e69f00',
