@@ -49,6 +49,15 @@ struct NodeDescription {
     std::uint32_t load_address = 0;                // raw images only
     std::optional<std::uint32_t> entry;            // default: what the program says
     std::optional<std::int64_t> phases_per_frame;  // default: the program's phases_per_frame
+    bool pack = true;  // of an ISA with wide words: the assembler packs straight-line code
+};
+
+// Of a lock-step machine: its nodes are lanes of one array.
+struct ArrayDescription {
+    bool line_locked = true;
+    std::int64_t line = 910;           // cycles of a scanline
+    std::int64_t lines = 525;          // scanlines of a picture
+    std::int64_t visible_lines = 512;  // the first of them
 };
 
 struct LinkDescription {
@@ -116,10 +125,16 @@ struct RotationDescription {
     double start = 0;          // degrees, of the first frame; the object is handed out unrotated
 };
 
+struct TextureDescription {
+    std::string name = "none";                  // or a built-in pattern ...
+    std::optional<std::filesystem::path> file;  // ... or a picture
+};
+
 struct SceneDescription {
     std::string object = "teapot";              // a built-in object or polygon scene ...
     std::optional<std::filesystem::path> mesh;  // ... or a mesh or polygon file
     std::optional<FileReference> model;         // in place of a polygon scene's own
+    TextureDescription texture;                 // of an object on a lock-step machine
     std::int64_t polygons = 500;                // of a random scene
     std::int64_t seed = 1;                      // likewise
     std::string up = "y";                       // axis of the mesh that points up
@@ -146,6 +161,7 @@ struct MachineDescription {
     std::string machine;
     TopologyDescription topology;
     NodeDescription nodes;
+    ArrayDescription array;    // of lock-step machines
     LinkDescription links;     // of machines that are graphs
     FabricDescription fabric;  // of machines that deal out the screen
     HostDescription host;      // likewise

@@ -11,12 +11,6 @@ namespace rasterloom::config {
 namespace {
 
 template <typename Get>
-Field yes_no_field(std::string path, std::string summary, Get get) {
-    return choice_field<bool>(std::move(path), std::move(summary),
-                              {{"true", true}, {"false", false}}, get);
-}
-
-template <typename Get>
 Field fifo_field(std::string path, std::string summary, Get get) {
     return count_field(std::move(path), std::move(summary), 1, 65535, get);
 }

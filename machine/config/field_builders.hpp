@@ -150,4 +150,10 @@ Field choice_field(std::string path, std::string summary,
             }};
 }
 
+template <typename Get>
+Field yes_no_field(std::string path, std::string summary, Get get) {
+    return choice_field<bool>(std::move(path), std::move(summary),
+                              {{"true", true}, {"false", false}}, get);
+}
+
 }  // namespace rasterloom::config

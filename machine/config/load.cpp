@@ -160,6 +160,11 @@ void check_together(const MachineDescription& machine) {
     at_least("fabric.latency", machine.fabric.latency, Duration::picoseconds(2));
     at_least("supervisor.latency", machine.supervisor.latency, Duration::picoseconds(2));
     at_least("run.max_time", machine.run.max_time, Duration::picoseconds(1));
+    if (machine.array.visible_lines > machine.array.lines) {
+        throw machine.error("array.visible_lines", std::to_string(machine.array.visible_lines),
+                            "more than a picture has scanlines",
+                            fmt::format("at most {}, array.lines", machine.array.lines));
+    }
     if (!machine.scene && machine.run.frames != 1) {
         throw machine.error("run.frames", std::to_string(machine.run.frames),
                             "more than one frame without a scene", "1, or a scene to draw");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The keys of a machine: everything but the scene.
+#include "machine/config/array_fields.hpp"
 #include "machine/config/fabric_fields.hpp"
 #include "machine/config/field.hpp"
 #include "machine/config/field_builders.hpp"
@@ -266,6 +267,11 @@ void add_node_fields(std::vector<Field>& fields) {
     fields.push_back(load_address_field());
     fields.push_back(entry_field());
     fields.push_back(phases_field());
+    fields.push_back(yes_no_field(
+        "nodes.pack",
+        "whether the assembler packs straight-line code into bundles by itself, where an "
+        "instruction word has several slots",
+        [](auto& machine) -> auto& { return machine.nodes.pack; }));
 }
 
 void add_link_fields(std::vector<Field>& fields) {
@@ -321,6 +327,7 @@ Field threads_field() {
 std::vector<Field> machine_fields() {
     std::vector<Field> fields{machine_name_field(), topology_field()};
     add_node_fields(fields);
+    add_array_fields(fields);
     add_link_fields(fields);
     add_fabric_fields(fields);
     fields.push_back(duration_field(

@@ -67,6 +67,33 @@ Field model_field() {
             }};
 }
 
+void read_texture(MachineDescription& machine, const Value& value, const Locator& locator) {
+    TextureDescription& texture = scene_of(machine).texture;
+    texture.name = scalar_text(value);
+    texture.file.reset();
+    if (texture.name == "none" || texture.name == "checker" || texture.name == "skin") {
+        return;
+    }
+    texture.file = locator.find(texture.name, value.where.source, {});
+    if (!texture.file) {
+        throw std::invalid_argument("no such file (looked in " +
+                                    Locator::places(value.where.source, {}) + ")");
+    }
+}
+
+Field texture_field() {
+    return {"scene.texture",
+            "none, checker, skin or a PNG file",
+            "what an object is covered with on a lock-step machine: nothing but its colour, a "
+            "built-in pattern or a picture, looked for beside the configuration",
+            false,
+            read_texture,
+            [](const MachineDescription& machine) {
+                const TextureDescription& texture = scene_of(machine).texture;
+                return yaml_scalar(texture.file ? texture.file->string() : texture.name);
+            }};
+}
+
 Field background_field() {
     return {"scene.background",
             "a whole number from 0 to 255",
@@ -87,8 +114,9 @@ Field background_field() {
 
 void add_random_fields(std::vector<Field>& fields) {
     fields.push_back(count_field(
-        "scene.polygons", "how many, in a random scene", 1, 1'000'000,
-        [](auto& m) -> auto& { return scene_of(m).polygons; }));
+        "scene.polygons",
+        "how many, in a random scene; about how many a teapot has, on a lock-step machine", 1,
+        1'000'000, [](auto& m) -> auto& { return scene_of(m).polygons; }));
     fields.push_back(count_field(
         "scene.seed", "of a random scene", 0, std::numeric_limits<std::int64_t>::max(),
         [](auto& m) -> auto& { return scene_of(m).seed; }));
@@ -112,6 +140,7 @@ void add_object_fields(std::vector<Field>& fields) {
         "scene.normals", "shading: interpolated normals, or those of the faces",
         {{"smooth", Normals::smooth}, {"face", Normals::face}},
         [](auto& m) -> auto& { return scene_of(m).normals; }));
+    fields.push_back(texture_field());
 }
 
 void add_motion_fields(std::vector<Field>& fields) {
