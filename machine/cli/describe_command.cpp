@@ -95,6 +95,18 @@ void print_screen(const config::MachineDescription& machine, const Topology& top
                *most, static_cast<double>(map.owner.size()) / static_cast<double>(pixels.size()));
 }
 
+void print_array(const config::MachineDescription& machine) {
+    fmt::print("Lanes       in lock-step, {}, {} a cycle, {}\n", machine.nodes.isa,
+               config::format_clock(machine.nodes.clock), machine.nodes.program.text);
+    if (machine.array.line_locked) {
+        fmt::print("Video       {} scanlines of {} cycles, {} of them visible\n",
+                   machine.array.lines, machine.array.line, machine.array.visible_lines);
+    }
+    if (machine.scene) {
+        fmt::print("Screen      {} x {}\n", machine.screen.width, machine.screen.height);
+    }
+}
+
 std::size_t find_node(const Topology& topology, const std::string& name) {
     const auto found = std::find_if(topology.nodes.begin(), topology.nodes.end(),
                                     [&](const topology::Node& node) { return node.name == name; });
@@ -148,6 +160,10 @@ void describe_graph(const DescribeOptions& options, const config::MachineDescrip
     }
     print_title(machine);
     print_graph(topology);
+    if (emulation::is_lockstep(machine)) {
+        print_array(machine);
+        return;
+    }
     print_processor(machine);
     print_link(machine);
     if (machine.scene) {

@@ -49,6 +49,9 @@ void write_pictures(const emulation::RunOutcome& outcome, const observe::OutputF
         host::write_png(folder.file(fmt::format("frame-{:03}.png", frame)),
                         outcome.pictures[frame]);
     }
+    for (std::size_t frame = 0; frame < outcome.videos.size(); ++frame) {
+        host::write_png(folder.file(fmt::format("video-{:03}.png", frame)), outcome.videos[frame]);
+    }
     for (std::size_t frame = 0; frame < outcome.references.size(); ++frame) {
         host::write_png(folder.file(fmt::format("reference-{:03}.png", frame)),
                         outcome.references[frame]);
@@ -62,7 +65,10 @@ void write_statistics(const emulation::RunOutcome& outcome, const observe::Outpu
     observe::write_file_whole(folder.file("statistics.json"),
                               observe::statistics_json(outcome.report));
     observe::write_file_whole(folder.file("nodes.csv"), observe::nodes_csv(outcome.report));
-    if (outcome.report.fabric.empty()) {
+    if (outcome.report.array) {
+        observe::write_file_whole(folder.file("procedures.csv"),
+                                  observe::procedures_csv(*outcome.report.array));
+    } else if (outcome.report.fabric.empty()) {
         observe::write_file_whole(folder.file("links.csv"), observe::links_csv(outcome.report));
     } else {
         observe::write_file_whole(

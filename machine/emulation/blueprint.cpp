@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/blueprint.hpp"
 
+#include "machine/emulation/array_settings.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/wiring.hpp"
 
@@ -12,6 +13,9 @@ Blueprint::Blueprint(const config::MachineDescription& machine, isa::IsaRegistry
       topology(make_wiring(machine)),
       image(std::make_shared<const isa::Image>(load_program(isa, machine))) {
     check_keys_matter(machine, topology);
+    if (is_lockstep()) {
+        check_array(*this);
+    }
     if (topology.tiling) {
         if (!machine.scene) {
             throw machine.error("scene", {},
@@ -25,6 +29,10 @@ Blueprint::Blueprint(const config::MachineDescription& machine, isa::IsaRegistry
         }
         distribution = make_distribution(machine, topology);
     }
+}
+
+bool Blueprint::is_lockstep() const {
+    return emulation::is_lockstep(description);
 }
 
 }  // namespace rasterloom::emulation

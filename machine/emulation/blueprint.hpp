@@ -18,6 +18,9 @@ struct Blueprint {
     // Throws ConfigError and isa::AssemblyError for what is wrong with the input.
     Blueprint(const config::MachineDescription& machine, isa::IsaRegistry& registry);
 
+    // Whether the nodes are lanes of one array with one lockstep.
+    bool is_lockstep() const;
+
     const config::MachineDescription& description;
     const isa::Isa& isa;
     topology::Topology topology;

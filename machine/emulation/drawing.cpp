@@ -155,6 +155,13 @@ void draw_screen(const Distribution& distribution, const std::vector<FabricPartR
     }
 }
 
+// Lane i draws column i.
+void draw_columns(MachineDrawing& drawing) {
+    for (int pixel = 0; pixel < drawing.width * drawing.height; ++pixel) {
+        drawing.owners.push_back(static_cast<topology::NodeIndex>(pixel % drawing.width));
+    }
+}
+
 }  // namespace
 
 MachineDrawing draw_machine(const Blueprint& blueprint,
@@ -168,6 +175,10 @@ MachineDrawing draw_machine(const Blueprint& blueprint,
     if (blueprint.description.scene) {
         drawing.width = static_cast<int>(blueprint.description.screen.width);
         drawing.height = static_cast<int>(blueprint.description.screen.height);
+        if (blueprint.is_lockstep()) {
+            draw_columns(drawing);
+            return drawing;
+        }
         drawing.owners =
             topology::nearest_pixel_map(blueprint.topology, drawing.width, drawing.height).owner;
     }

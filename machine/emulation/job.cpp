@@ -13,6 +13,9 @@ std::unique_ptr<HostJob> make_job(const Blueprint& blueprint) {
         return nullptr;
     }
     try {
+        if (blueprint.is_lockstep()) {
+            return make_princeton_job(blueprint);
+        }
         if (blueprint.distribution) {
             return make_tile_job(blueprint);
         }

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "machine/emulation/blueprint.hpp"
+#include "machine/emulation/machine.hpp"
 #include "machine/fabric/polygon.hpp"
 #include "machine/host/picture.hpp"
-#include "machine/node/processor.hpp"
 
 #include <memory>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,14 +19,20 @@ class HostJob {
   public:
     virtual ~HostJob() = default;
     // Before the first event.
-    virtual void load(std::span<Processor* const> processors) = 0;
+    virtual void load(Machine& machine) = 0;
     // What the host sends, frame by frame; none where the nodes have all they need from the start.
     virtual std::vector<std::vector<Polygon>> polygons() const { return {}; }
-    // At the end of a frame, when every program has done its work.
-    virtual host::Picture collect(std::span<Processor* const> processors) const = 0;
+    // At the end of frame `frame`, from 0, before anything of the next one happens: what the host
+    // tells the machine then.
+    virtual void frame_ended(Machine& /*machine*/, std::int64_t /*frame*/) {}
+    // When a frame can be seen: at its end, when every program has done its work, or once the
+    // machine's own video output has shown it.
+    virtual host::Picture collect(const Machine& machine) const = 0;
+    // The same moment on the machine's own video output, if it has one.
+    virtual std::optional<host::Picture> video(const Machine& /*machine*/) const { return {}; }
     // What the reference renderer draws of the same object at frame `frame`, from 0.
     virtual host::Picture reference(std::int64_t frame) const = 0;
-    // Grey level of a pixel on which nothing is drawn.
+    // Grey level, or level of all colours, of a pixel on which nothing is drawn.
     virtual int background() const = 0;
     // What a person should know about how the object was prepared; may be empty.
     virtual std::string remarks() const = 0;
@@ -37,6 +43,9 @@ std::unique_ptr<HostJob> make_strothotte_job(const Blueprint& blueprint);
 
 // For programs/pdp11/tiler.s: polygons to processors that each own a grid of pixels.
 std::unique_ptr<HostJob> make_tile_job(const Blueprint& blueprint);
+
+// For the renderers of programs/vliw: polygons to the lanes of a lock-step array.
+std::unique_ptr<HostJob> make_princeton_job(const Blueprint& blueprint);
 
 // The job that the blueprint's scene asks for; none without a scene. The blueprint must outlive the
 // job. Throws ConfigError for a scene that cannot be drawn on this machine, a mesh that cannot be

@@ -2,6 +2,7 @@
 #include "machine/emulation/machine.hpp"
 
 #include "isa/syntax.hpp"
+#include "machine/emulation/array_settings.hpp"
 #include "machine/emulation/fabric_settings.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/node/registers.hpp"
@@ -72,6 +73,11 @@ Processor::Settings processor_settings(const Blueprint& blueprint) {
 
 Machine::Machine(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons) {
     const MachineDescription& description = blueprint.description;
+    if (blueprint.is_lockstep()) {
+        build_array(blueprint);
+        simulation_.seal();
+        return;
+    }
     check_ports(description, blueprint.topology);
     check_memory(description, blueprint.isa);
     phases_per_frame_ = count_phases(description, *blueprint.image);
@@ -81,6 +87,37 @@ Machine::Machine(const Blueprint& blueprint, std::vector<std::vector<Polygon>> p
         build_graph(blueprint);
     }
     simulation_.seal();
+}
+
+Probe<SupervisorListener>* Machine::frame_probe() const {
+    if (lockstep_ != nullptr) {
+        return &lockstep_->probe();
+    }
+    return supervisor_ != nullptr ? &supervisor_->probe() : nullptr;
+}
+
+std::vector<ComponentId> Machine::node_ids() const {
+    std::vector<ComponentId> ids;
+    for (const Processor* processor : processors_) {
+        ids.push_back(processor->id());
+    }
+    if (lockstep_ != nullptr) {
+        const std::size_t first = simulation_.components().size();
+        for (std::int64_t lane = 0; lane < lockstep_->array().lanes(); ++lane) {
+            ids.push_back(static_cast<ComponentId>(first + static_cast<std::size_t>(lane)));
+        }
+    }
+    return ids;
+}
+
+void Machine::build_array(const Blueprint& blueprint) {
+    const LockstepMachine::Settings settings = lockstep_settings(blueprint);
+    for (const isa::vliw::Bundle& bundle : settings.program->bundles) {
+        if (bundle.seq.op == isa::vliw::SeqOp::phase) {
+            phases_per_frame_ = std::max<std::int64_t>(phases_per_frame_, bundle.seq.target + 1);
+        }
+    }
+    lockstep_ = &simulation_.add<LockstepMachine>("sequencer", settings);
 }
 
 void Machine::build_graph(const Blueprint& blueprint) {

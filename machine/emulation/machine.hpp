@@ -2,10 +2,11 @@
 // The whole machine, built from its blueprint: a processor at every node, Strothotte's supervisor,
 // and either a link in either direction of every edge or, where the screen is dealt out, the host's
 // sending end with splitters and buses. A single node without links or scene is a bare processor
-// and has no supervisor.
+// and has no supervisor. A lock-step machine has none of these, but a sequencer with its array.
 #pragma once
 
 #include "machine/emulation/blueprint.hpp"
+#include "machine/fabric/lockstep_machine.hpp"
 #include "machine/fabric/network.hpp"
 #include "machine/fabric/polygon.hpp"
 #include "machine/fabric/polygon_network.hpp"
@@ -33,11 +34,17 @@ class Machine {
     const std::vector<NetworkLink>& links() const { return links_; }
     // Null where the machine is a graph.
     const PolygonNetwork* fabric() const { return fabric_ ? &*fabric_ : nullptr; }
-    Supervisor* supervisor() const { return supervisor_; }  // null: a bare processor
+    Supervisor* supervisor() const { return supervisor_; }   // null: a bare processor, an array
+    LockstepMachine* lockstep() const { return lockstep_; }  // null: there are processors
+    // What tells of phases and frames; null: a bare processor, which has none.
+    Probe<SupervisorListener>* frame_probe() const;
+    // By node: a processor's component; a lane has a number of its own, above all components'.
+    std::vector<ComponentId> node_ids() const;
     std::int64_t phases_per_frame() const { return phases_per_frame_; }
 
   private:
     void build_graph(const Blueprint& blueprint);
+    void build_array(const Blueprint& blueprint);
     void build_fabric(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons);
     void add_processors(const Blueprint& blueprint,
                         const std::function<Processor::Settings(std::size_t)>& settings_of);
@@ -48,6 +55,7 @@ class Machine {
     std::vector<NetworkLink> links_;
     std::optional<PolygonNetwork> fabric_;
     Supervisor* supervisor_ = nullptr;
+    LockstepMachine* lockstep_ = nullptr;
     std::int64_t phases_per_frame_ = 1;
 };
 

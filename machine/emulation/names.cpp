@@ -33,8 +33,11 @@ observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& m
     for (const auto& component : machine.simulation().components()) {
         names.components.push_back(label_by_path(component->name()));
     }
-    for (const Processor* processor : machine.processors()) {
-        names.nodes.push_back(processor->id());
+    names.nodes = machine.node_ids();
+    if (machine.lockstep() != nullptr) {
+        for (const topology::Node& node : blueprint.topology.nodes) {
+            names.components.push_back({"lane", node.name});
+        }
     }
     for (const NetworkLink& wire : machine.links()) {
         names.links.push_back({wire.link->id(), wire.from, wire.to});

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/observers.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace rasterloom::emulation {
 
 namespace {
-
-std::vector<ComponentId> ids(const Machine& machine) {
-    std::vector<ComponentId> ids;
-    for (const Processor* processor : machine.processors()) {
-        ids.push_back(processor->id());
-    }
-    return ids;
-}
 
 // A timeline sums up, in any order.
 observe::RecordMerger::Order order_for(const Observers::Listeners& listeners) {
@@ -25,7 +18,8 @@ observe::RecordMerger::Order order_for(const Observers::Listeners& listeners) {
 }  // namespace
 
 Observers::Observers(Machine& machine, observe::PhaseLog& phases, const Listeners& listeners)
-    : merger_(machine.simulation().partitions(), ids(machine), order_for(listeners)) {
+    : lockstep_(machine.lockstep()),
+      merger_(machine.simulation().partitions(), machine.node_ids(), order_for(listeners)) {
     merger_.forward_to(static_cast<NodeListener&>(phases));
     merger_.forward_to(static_cast<SupervisorListener&>(phases));
     if (listeners.messages != nullptr) {
@@ -59,6 +53,11 @@ void Observers::attach(Machine& machine, bool parts) {
     if (Supervisor* supervisor = machine.supervisor()) {
         supervisor->probe().attach(merger_.for_supervisor(simulation.partition_of(*supervisor)));
     }
+    if (lockstep_ != nullptr) {
+        const std::size_t partition = simulation.partition_of(*lockstep_);
+        lockstep_->lane_probe().attach(merger_.for_nodes(partition));
+        lockstep_->probe().attach(merger_.for_supervisor(partition));
+    }
     if (parts && machine.fabric() != nullptr) {
         machine.fabric()->for_each_part([&](auto& part) {
             part.probe().attach(merger_.for_parts(simulation.partition_of(part)));
@@ -70,7 +69,10 @@ void Observers::catch_up(Time reached) {
     for (Processor* processor : traced_) {
         processor->tell_stall_before(reached);
     }
-    merger_.flush(reached);
+    // Lanes tell of a phase when it is over.
+    merger_.flush(lockstep_ != nullptr && reached < Time::never()
+                      ? std::min(reached, lockstep_->phase().began)
+                      : reached);
 }
 
 }  // namespace rasterloom::emulation

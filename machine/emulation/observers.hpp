@@ -31,6 +31,7 @@ class Observers {
     void attach(Machine& machine, bool parts);
 
     std::vector<Processor*> traced_;
+    LockstepMachine* lockstep_;
     observe::RecordMerger merger_;
 };
 

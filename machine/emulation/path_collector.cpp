@@ -10,7 +10,7 @@ namespace rasterloom::emulation {
 PathCollector::PathCollector(Machine& machine)
     : machine_(machine), log_(machine.simulation().components().size()) {
     machine.simulation().listen_to_causes(log_);
-    machine.supervisor()->probe().attach(*this);
+    machine.frame_probe()->attach(*this);
     intervals_.resize(machine.processors().size());
     for (std::size_t node = 0; node < intervals_.size(); ++node) {
         Processor& processor = *machine.processors()[node];

@@ -19,7 +19,7 @@ namespace rasterloom::emulation {
 
 class PathCollector final : public SupervisorListener, public NodeListener {
   public:
-    // Attaches itself to the machine, which has a supervisor, has been divided among threads and
+    // Attaches itself to the machine, which has frames, has been divided among threads and
     // has not run; both must outlive each other's use.
     explicit PathCollector(Machine& machine);
 

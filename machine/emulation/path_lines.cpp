@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/path_lines.hpp"
 
+#include "machine/emulation/array_profile.hpp"
 #include "machine/emulation/slices.hpp"
 
 #include <algorithm>
@@ -143,10 +144,13 @@ std::vector<std::vector<observe::PathReport::LineShare>> gather(
 std::vector<std::vector<observe::PathReport::LineShare>> lines_on_paths(
     const Blueprint& blueprint, HostJob* job, const Machine& machine,
     const std::vector<observe::CriticalPath>& paths) {
+    if (machine.lockstep() != nullptr) {
+        return lines_of_frames(blueprint, *machine.lockstep());
+    }
     Machine again(blueprint,
                   job != nullptr ? job->polygons() : std::vector<std::vector<Polygon>>());
     if (job != nullptr) {
-        job->load(again.processors());
+        job->load(again);
     }
     const std::vector<std::uint32_t> addresses = statements(blueprint);
     const Clock clock = blueprint.description.nodes.clock.clock();

@@ -34,13 +34,15 @@ isa::AssemblerOptions assembler_options(const MachineDescription& machine) {
     const auto define = [&](const char* name, bool holds) {
         if (options.defines.contains(name)) {
             throw machine.error(std::string("nodes.symbols.") + name, {},
-                                "is set by the machine's fabric", "no such symbol");
+                                "is set by the machine itself", "no such symbol");
         }
         options.defines[name] = holds ? 1 : 0;
     };
     define("frame_buffer_bus",
            !machine.fabric.ideal && machine.fabric.frame_buffer == config::FrameBufferKind::bus);
     define("half_digested", machine.fabric.half_digested);
+    define("line_locked", machine.array.line_locked);
+    define("textured", machine.scene && machine.scene->texture.name != "none");
     return options;
 }
 
@@ -57,8 +59,10 @@ isa::Image assemble(const isa::Isa& isa, const MachineDescription& machine) {
                                 "a symbol that it tests with .if or .ifndf");
         }
     }
-    if (auto packed = isa.pack(assembly.image)) {
-        return std::move(packed->image);
+    if (machine.nodes.pack) {
+        if (auto packed = isa.pack(assembly.image)) {
+            return std::move(packed->image);
+        }
     }
     return std::move(assembly.image);
 }
@@ -110,6 +114,9 @@ isa::Image load_program(const isa::Isa& isa, const MachineDescription& machine) 
     }
     if (machine.nodes.entry) {
         image.entry = *machine.nodes.entry;
+    }
+    if (isa.address_unit() > 1) {
+        return image;  // the program is not in the nodes' memory
     }
     for (const isa::Segment& segment : image.segments) {
         if (segment.address + segment.bytes.size() >

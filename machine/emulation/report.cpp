@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/report.hpp"
 
+#include "machine/emulation/array_profile.hpp"
 #include "machine/emulation/fabric_parts.hpp"
 #include "machine/emulation/names.hpp"
 
@@ -51,9 +52,12 @@ observe::LinkReport link_report(const NetworkLink& wire,
 observe::TimelineSubjects timeline_subjects(const Blueprint& blueprint, const Machine& machine) {
     const config::MachineDescription& description = blueprint.description;
     observe::TimelineSubjects subjects;
-    subjects.nodes = machine.processors().size();
-    // Links come by node and port.
+    subjects.nodes = blueprint.topology.nodes.size();
+    // Links come by node and port; lanes have none.
     for (const auto& ports : blueprint.topology.ports) {
+        if (machine.lockstep() != nullptr) {
+            break;
+        }
         subjects.first_link.push_back(subjects.links);
         subjects.links += ports.size();
     }
@@ -77,6 +81,7 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
         .nodes = {},
         .links = {},
         .fabric = gather_fabric(blueprint, machine, end),
+        .array = {},
         .paths = {},
         .phase_names = names_from_symbols(image, "phase_name_",
                                           static_cast<std::uint32_t>(machine.phases_per_frame())),
@@ -86,6 +91,14 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
         machine.processors()[node]->close_books(end);
         report.nodes.push_back(
             node_report(*machine.processors()[node], blueprint.topology.nodes[node].name));
+    }
+    if (const LockstepMachine* lockstep = machine.lockstep()) {
+        for (std::int64_t lane = 0; lane < lockstep->array().lanes(); ++lane) {
+            observe::NodeReport& node = report.nodes.emplace_back();
+            node.name = blueprint.topology.nodes[static_cast<std::size_t>(lane)].name;
+            node.statistics = lockstep->lane_statistics(lane);
+        }
+        report.array = gather_array(blueprint, *lockstep);
     }
     for (const NetworkLink& wire : machine.links()) {
         report.links.push_back(link_report(wire, machine.processors()));

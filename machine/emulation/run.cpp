@@ -36,24 +36,36 @@ double seconds_since(WallClock::time_point start) {
     return std::chrono::duration<double>(WallClock::now() - start).count();
 }
 
-// Reads the picture at the very end of each frame, before the next one begins: the supervisor
-// makes the run pause there.
+// Reads the picture at the very end of each frame, before the next one begins, or when the video
+// has shown it: supervisor and sequencer make the run pause there.
 class PictureCollector final : public SupervisorListener {
   public:
-    PictureCollector(const HostJob& job, const Machine& machine,
-                     std::vector<host::Picture>& pictures)
-        : job_(job), machine_(machine), pictures_(pictures) {}
+    PictureCollector(HostJob& job, Machine& machine, std::vector<host::Picture>& pictures,
+                     std::vector<host::Picture>& videos)
+        : job_(job), machine_(machine), pictures_(pictures), videos_(videos) {}
     void frame_ended(int, Time) override { due_ = true; }
     void collect() {
         if (std::exchange(due_, false)) {
-            pictures_.push_back(job_.collect(machine_.processors()));
+            ++frames_;
+            job_.frame_ended(machine_, frames_ - 1);
+        }
+        const LockstepMachine* lockstep = machine_.lockstep();
+        const bool has_video = lockstep != nullptr && lockstep->settings().line_locked;
+        const std::int64_t visible = has_video ? lockstep->pictures_shown() : frames_;
+        if (visible > static_cast<std::int64_t>(pictures_.size())) {
+            pictures_.push_back(job_.collect(machine_));
+            if (std::optional<host::Picture> video = job_.video(machine_)) {
+                videos_.push_back(std::move(*video));
+            }
         }
     }
 
   private:
-    const HostJob& job_;
-    const Machine& machine_;
+    HostJob& job_;
+    Machine& machine_;
     std::vector<host::Picture>& pictures_;
+    std::vector<host::Picture>& videos_;
+    std::int64_t frames_ = 0;  // ended
     bool due_ = false;
 };
 
@@ -73,6 +85,10 @@ void tell_progress(const RunOptions& options, const Machine& machine,
     if (const Supervisor* supervisor = machine.supervisor()) {
         progress.frame = std::min<std::int64_t>(supervisor->phase().frame, progress.frames - 1);
         progress.phase = supervisor->phase().phase;
+    }
+    if (const LockstepMachine* lockstep = machine.lockstep()) {
+        progress.frame = std::min<std::int64_t>(lockstep->phase().frame, progress.frames - 1);
+        progress.phase = lockstep->phase().phase;
     }
     options.progress(progress);
 }
@@ -100,6 +116,9 @@ std::string activities(const Machine& machine) {
         if (const auto activity = processor->activity()) {
             text += "\n  " + *activity;
         }
+    }
+    if (const LockstepMachine* lockstep = machine.lockstep()) {
+        text += "\n  " + lockstep->activity();
     }
     const auto add = [&text](const Component* component) {
         if (component == nullptr) {
@@ -153,7 +172,7 @@ void tap(std::optional<AppendixCCollector>& collector, const RunOptions& options
 }
 
 bool wants_paths(const RunOptions& options, const Machine& machine) {
-    if ((options.paths || options.bottlenecks) && machine.supervisor() == nullptr) {
+    if ((options.paths || options.bottlenecks) && machine.frame_probe() == nullptr) {
         config::refuse({options.bottlenecks ? "--bottlenecks" : "critical path", 0, 0}, {}, {},
                        "a bare processor has no frames",
                        "a machine with several processors or a scene");
@@ -162,7 +181,7 @@ bool wants_paths(const RunOptions& options, const Machine& machine) {
         std::any_of(options.traces.paths.begin(), options.traces.paths.end(),
                     [](const auto& path) { return kind_of_trace(path) == TraceKind::sqlite; });
     return options.paths || options.bottlenecks ||
-           ((for_trace || options.page) && machine.supervisor() != nullptr);
+           ((for_trace || options.page) && machine.frame_probe() != nullptr);
 }
 
 observe::AppendixCReport gather_appendix_c(AppendixCCollector& collector,
@@ -184,9 +203,9 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     RunOutcome outcome;
     std::optional<PictureCollector> collector;
     if (job) {
-        job->load(machine.processors());
-        collector.emplace(*job, machine, outcome.pictures);
-        machine.supervisor()->probe().attach(*collector);
+        job->load(machine);
+        collector.emplace(*job, machine, outcome.pictures, outcome.videos);
+        machine.frame_probe()->attach(*collector);
         outcome.remarks = job->remarks();
         outcome.background = job->background();
     }

@@ -50,6 +50,7 @@ struct RunOutcome {
     std::string failure;
     observe::RunReport report;                           // also of a failed run, as far as it went
     std::vector<host::Picture> pictures;                 // one a frame
+    std::vector<host::Picture> videos;                   // likewise, if the machine has an output
     std::vector<host::Picture> references;               // likewise, if asked for
     std::optional<observe::AppendixCReport> appendix_c;  // if asked for
     std::optional<observe::Bottlenecks> bottlenecks;     // if asked for

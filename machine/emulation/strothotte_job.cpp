@@ -37,7 +37,8 @@ class StrothotteJob final : public HostJob {
                   {view_, rotation_.start, rotation_.degrees,
                    description_.scene->routing == config::Routing::great_circle}) {}
 
-    void load(std::span<Processor* const> processors) override {
+    void load(Machine& machine) override {
+        const std::vector<Processor*>& processors = machine.processors();
         for (topology::NodeIndex node = 0; node < processors.size(); ++node) {
             for (const isa::Segment& segment : memory_of(node)) {
                 processors[node]->core().write_memory(segment.address, segment.bytes);
@@ -45,7 +46,8 @@ class StrothotteJob final : public HostJob {
         }
     }
 
-    host::Picture collect(std::span<Processor* const> processors) const override {
+    host::Picture collect(const Machine& machine) const override {
+        const std::vector<Processor*>& processors = machine.processors();
         host::Picture picture(view_.width, view_.height, 1,
                               static_cast<std::uint8_t>(view_.background));
         for (topology::NodeIndex node = 0; node < processors.size(); ++node) {

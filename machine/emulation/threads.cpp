@@ -13,6 +13,9 @@ constexpr std::size_t kProcessorsPerThread = 1'000;
 }  // namespace
 
 std::size_t threads_for(const config::MachineDescription& description, const Machine& machine) {
+    if (machine.lockstep() != nullptr) {
+        return 1;  // the array has its own
+    }
     if (description.run.threads) {
         return static_cast<std::size_t>(*description.run.threads);
     }

@@ -27,7 +27,8 @@ class TileJob final : public HostJob {
           image_(*blueprint.image),
           scene_(make_polygon_frames(description_)) {}
 
-    void load(std::span<Processor* const> processors) override {
+    void load(Machine& machine) override {
+        const std::vector<Processor*>& processors = machine.processors();
         const TilerScreen screen{distribution_.width, distribution_.height, scene_.background};
         try {
             for (std::size_t node = 0; node < processors.size(); ++node) {
@@ -41,7 +42,8 @@ class TileJob final : public HostJob {
 
     std::vector<std::vector<Polygon>> polygons() const override { return scene_.frames; }
 
-    host::Picture collect(std::span<Processor* const> processors) const override {
+    host::Picture collect(const Machine& machine) const override {
+        const std::vector<Processor*>& processors = machine.processors();
         host::Picture picture(distribution_.width, distribution_.height);
         for (std::size_t node = 0; node < processors.size(); ++node) {
             collect_pixels(*processors[node]->frame_buffer(), distribution_.grids[node], picture);

@@ -22,7 +22,7 @@ using config::MachineDescription;
 struct Lever {
     const char* key;
     Duration (*time)(const MachineDescription&);
-    const char* kind;
+    std::vector<std::string> kinds;
     std::vector<std::string> names;  // empty: all
 };
 
@@ -31,30 +31,33 @@ const std::vector<Lever>& levers() {
     static const std::vector<Lever> all{
         {"nodes.clock",
          [](const M& m) { return m.nodes.clock.clock().nominal_period(); },
-         "node",
+         {"node", "sequencer"},
          {}},
-        {"links.time_per_byte", [](const M& m) { return m.links.time_per_byte; }, "link", {}},
-        {"links.time_per_message", [](const M& m) { return m.links.time_per_message; }, "link", {}},
+        {"links.time_per_byte", [](const M& m) { return m.links.time_per_byte; }, {"link"}, {}},
+        {"links.time_per_message",
+         [](const M& m) { return m.links.time_per_message; },
+         {"link"},
+         {}},
         {"links.latency",
          [](const M& m) { return m.links.latency; },
-         observe::kWire,
+         {observe::kWire},
          {"from link"}},
         {"fabric.polygon_bus.time_per_word",
          [](const M& m) { return m.fabric.bus.time_per_word; },
-         "bus",
+         {"bus"},
          {}},
         {"fabric.splitter.time_per_vertex",
          [](const M& m) { return m.fabric.splitter.time_per_vertex; },
-         "splitter",
+         {"splitter"},
          {}},
         {"fabric.latency",
          [](const M& m) { return m.fabric.latency; },
-         observe::kWire,
+         {observe::kWire},
          {"from host", "from splitter", "from bus"}},
-        {"host.time_per_polygon", [](const M& m) { return m.host.time_per_polygon; }, "host", {}},
+        {"host.time_per_polygon", [](const M& m) { return m.host.time_per_polygon; }, {"host"}, {}},
         {"supervisor.latency",
          [](const M& m) { return m.supervisor.latency; },
-         observe::kWire,
+         {observe::kWire},
          {"from supervisor", "from node"}}};
     return all;
 }
@@ -62,9 +65,11 @@ const std::vector<Lever>& levers() {
 Duration governed(const observe::PathReport& path, const Lever& lever) {
     Duration sum;
     for (const observe::PathReport::Share& share : path.components) {
+        const bool of_kind =
+            std::find(lever.kinds.begin(), lever.kinds.end(), share.kind) != lever.kinds.end();
         const bool named = lever.names.empty() || std::find(lever.names.begin(), lever.names.end(),
                                                             share.name) != lever.names.end();
-        if (share.kind == lever.kind && named) {
+        if (of_kind && named) {
             sum += share.time;
         }
     }

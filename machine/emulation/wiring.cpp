@@ -28,6 +28,7 @@ bool matches(const std::string& path, std::string_view beginning) {
 }
 
 std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::Topology& topology) {
+    const bool lockstep = is_lockstep(machine);
     std::vector<Idle> idle;
     const auto add = [&idle](std::string_view useful,
                              std::initializer_list<std::string_view> beginnings) {
@@ -35,13 +36,23 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
             idle.push_back({beginning, useful});
         }
     };
-    if (topology.tiling) {
+    if (lockstep) {  // neither links nor a fabric
+        add("a machine of processors: here the nodes are lanes of one array",
+            {"links.", "fabric.", "host.", "supervisor.", "nodes.cost", "nodes.memory",
+             "nodes.load_address", "nodes.entry", "nodes.phases_per_frame", "scene.routing"});
+        if (!machine.array.line_locked) {
+            add("array.line_locked: true", {"array.line", "array.lines", "array.visible_lines"});
+        }
+    } else {
+        add("a lock-step array: nodes.isa: vliw", {"array.", "nodes.pack"});
+    }
+    if (topology.tiling && !lockstep) {
         add("a machine that is a graph: here fabric.* says what lies between",
             {"links.", "scene.routing"});
         if (!machine.fabric.half_digested) {
             add("fabric.half_digested: true", {"fabric.digest_fifo"});
         }
-    } else {
+    } else if (!lockstep) {
         add("a machine that deals out the screen: here links.* says what lies between",
             {"fabric.", "host."});
     }
@@ -49,6 +60,13 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
         return idle;
     }
     const SceneKind kind = scene_kind(machine);
+    if (lockstep) {
+        add("another machine: here the object fills the screen",
+            {"scene.size", "scene.scale", "scene.translate", "scene.vanishing_distance",
+             "scene.ambient", "scene.background"});
+    } else {
+        add("a lock-step array", {"scene.texture"});
+    }
     if (kind != SceneKind::object) {
         add("an object or mesh as the scene",
             {"scene.size", "scene.normals", "scene.rotate.", "scene.routing", "scene.scale",
@@ -61,7 +79,10 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
         add("a polygon scene with a model of its own", {"scene.model"});
     }
     if (scene == nullptr || !scene->is_random) {
-        add("a random scene", {"scene.polygons", "scene.seed"});
+        add("a random scene", {"scene.seed"});
+        if (!lockstep) {
+            add("a random scene", {"scene.polygons"});
+        }
     }
     if (!machine.scene->mesh && !machine.scene->model) {
         add("a mesh file", {"scene.up", "scene.front"});
@@ -70,6 +91,10 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
 }
 
 }  // namespace
+
+bool is_lockstep(const MachineDescription& machine) {
+    return machine.nodes.isa == "vliw";
+}
 
 topology::Topology make_wiring(const config::MachineDescription& machine) {
     const auto& wanted = machine.topology;

@@ -9,6 +9,9 @@
 
 namespace rasterloom::emulation {
 
+// Whether the nodes are lanes of one array with one sequencer.
+bool is_lockstep(const config::MachineDescription& machine);
+
 // Throws ConfigError that points at the kind or parameter which is wrong.
 topology::Topology make_wiring(const config::MachineDescription& machine);
 

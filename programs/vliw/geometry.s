@@ -38,6 +38,7 @@ kCandidate  = 29
 ; Prepares transform. The matrix is copied: a new one may come while this stage is at work.
 geometry:
         wake
+        phase   1
         setp    transform
         ld      r1, most
         put     r1

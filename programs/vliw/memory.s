@@ -19,6 +19,15 @@ error       = 0x09      ; 0, or why the program halted: 1 source array full, 2 r
                         ; 4 no room for the composited picture
 lanes       = 0x0a      ; lanes on the ring (the same on all)
 ;
+; What the machine's records call phases (`phase n`) and what `error` says
+phase_name_finish = 0
+phase_name_geometry = 1
+phase_name_communicate = 2
+phase_name_normalise = 3
+phase_name_rasterise = 4
+error_name_the_source_array_is_full = 1
+error_name_the_receive_array_is_full = 2
+;
 ; The view (H). x' = (m0 x + m1 y + m2 z) / 2^14 + m9, and so on: eye space, x right, y up, z away; visible from near on.
 ; Screen, in 1/16 pixel: sx = 8 screen_columns + f x'/z', sy = 8 screen_rows - f y'/z'; samples lie on whole pixels, row 0 is the upper one.
 ; Nothing is clipped: a polygon is not visible when a vertex is nearer than near or about as far from the axis as from the viewer

@@ -122,6 +122,9 @@ config::MachineDescription small(const std::string& name) {
         return shipped(name, {"topology.b=2", "topology.c=1", "screen={width: 64, height: 64}",
                               "scene.object=cube", "run.frames=2"});
     }
+    if (whole.nodes.isa == "vliw") {
+        return shipped(name, {"scene={object: cube}"});
+    }
     if (whole.scene) {
         return shipped(name, {"screen={width: 128, height: 128}", "scene=scenes/random.yaml",
                               "scene.polygons=40", "run.frames=2"});

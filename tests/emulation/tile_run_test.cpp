@@ -324,7 +324,7 @@ TEST(TileRun, RefusesProgramsAndSymbolsThatDoNotFit) {
                 HasSubstr("nodes.symbols.ful: the program pdp11/tiler.s does not ask for this "
                           "symbol"));
     EXPECT_THAT(refusal(small("splitter4", {"nodes.symbols.frame_buffer_bus=1"})),
-                HasSubstr("is set by the machine's fabric"));
+                HasSubstr("is set by the machine itself"));
     EXPECT_THAT(refusal(small("splitter4", {"nodes.symbols={}", "nodes.program=pdp11/token.s"})),
                 HasSubstr("expected a program that draws polygons"));
     EXPECT_THAT(refusal(small("splitter4", {"nodes.memory=4KiB"})), HasSubstr("nodes.memory"));

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "machine/emulation/array_settings.hpp"
+
+#include "machine/emulation/programs.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace rasterloom::emulation {
+
+namespace {
+
+using config::MachineDescription;
+
+// With fewer, meeting after each bundle costs more than a second core gains.
+constexpr std::int64_t kLanesPerThread = 1024;
+
+void check_multiple(const Blueprint& blueprint, const std::string& symbol) {
+    const MachineDescription& machine = blueprint.description;
+    const auto of = blueprint.image->symbol(symbol);
+    const auto lanes = static_cast<std::int64_t>(blueprint.topology.nodes.size());
+    if (of && !blueprint.image->labels.contains(symbol) && (*of == 0 || lanes % *of != 0)) {
+        const std::string key = "nodes.symbols." + symbol;
+        throw machine.error(
+            machine.written.contains(key) ? key : "topology.nodes", std::to_string(*of),
+            fmt::format("{} lanes are no multiple of the {} {}", lanes, symbol, *of),
+            fmt::format("a divisor of {}", lanes));
+    }
+}
+
+void check_screen(const Blueprint& blueprint) {
+    const MachineDescription& machine = blueprint.description;
+    const auto lanes = static_cast<std::int64_t>(blueprint.topology.nodes.size());
+    if (machine.screen.width > lanes && blueprint.image->symbol("column")) {
+        throw machine.error("screen.width", std::to_string(machine.screen.width),
+                            "each lane of this program draws a column",
+                            fmt::format("at most {}, the lanes", lanes));
+    }
+    if (machine.array.line_locked && machine.screen.height > machine.array.visible_lines) {
+        throw machine.error(
+            "screen.height", std::to_string(machine.screen.height),
+            "the video output has no scanlines for it",
+            fmt::format("at most {}, array.visible_lines", machine.array.visible_lines));
+    }
+}
+
+int threads_for_array(const MachineDescription& machine, std::int64_t lanes) {
+    const auto cores = static_cast<std::int64_t>(std::max(1U, std::thread::hardware_concurrency()));
+    // More than there are cores would only wait for each other.
+    return static_cast<int>(
+        std::clamp<std::int64_t>(machine.run.threads.value_or(lanes / kLanesPerThread), 1, cores));
+}
+
+}  // namespace
+
+void check_array(const Blueprint& blueprint) {
+    const MachineDescription& machine = blueprint.description;
+    const topology::Topology& topology = blueprint.topology;
+    if (topology.kind != "ring" && topology.kind != "single") {
+        throw machine.error("topology.kind", topology.kind, "the lanes of an array are a ring",
+                            "ring, or single for one lane");
+    }
+    if (topology.nodes.size() > static_cast<std::size_t>(kMaxLanes)) {
+        throw machine.error("topology.nodes", std::to_string(topology.nodes.size()),
+                            "too many lanes", fmt::format("1 to {}", kMaxLanes));
+    }
+    check_multiple(blueprint, "stride");
+    check_multiple(blueprint, "group");
+    if (machine.scene) {
+        check_screen(blueprint);
+    }
+}
+
+LockstepMachine::Settings lockstep_settings(const Blueprint& blueprint) {
+    const MachineDescription& machine = blueprint.description;
+    LockstepMachine::Settings settings;
+    settings.clock = machine.nodes.clock.clock();
+    settings.line_locked = machine.array.line_locked;
+    settings.line = machine.array.line;
+    settings.lines = machine.array.lines;
+    settings.visible_lines = machine.array.visible_lines;
+    settings.frames = machine.run.frames;
+    settings.array.lanes = static_cast<std::int64_t>(blueprint.topology.nodes.size());
+    settings.array.threads = threads_for_array(machine, settings.array.lanes);
+    settings.program = std::dynamic_pointer_cast<const isa::vliw::Program>(
+        prepare_program(blueprint.isa, *blueprint.image, machine));
+    if (settings.program == nullptr) {
+        throw machine.error("nodes.isa", machine.nodes.isa, "makes no program for an array");
+    }
+    settings.image = blueprint.image;
+    return settings;
+}
+
+}  // namespace rasterloom::emulation

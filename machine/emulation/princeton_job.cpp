@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// The host's part for the renderers of programs/vliw: an object as integer triangles on the lanes,
+// its place in every frame, and the picture out of their frame buffers. The scene's screen is the
+// upper left part of the machine's.
+#include "machine/emulation/array_settings.hpp"
+#include "machine/emulation/job.hpp"
+#include "machine/emulation/object.hpp"
+#include "machine/emulation/princeton_loader.hpp"
+#include "machine/emulation/princeton_picture.hpp"
+#include "machine/emulation/princeton_scene.hpp"
+#include "machine/host/projection.hpp"
+#include "machine/host/triangle_renderer.hpp"
+#include "machine/host/triangle_texture.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace rasterloom::emulation {
+
+namespace {
+
+using config::MachineDescription;
+
+// What dispatch.s knows the beginning of a matrix by; the lowest bit is the frame's parity.
+constexpr std::uint16_t kMatrixMarker = 0x8000;
+
+host::Picture upper_left(const host::Picture& whole, const config::ScreenDescription& screen) {
+    host::Picture part(static_cast<int>(screen.width), static_cast<int>(screen.height),
+                       whole.channels);
+    for (int y = 0; y < part.height; ++y) {
+        const auto* row = &whole.pixels[static_cast<std::size_t>(y * whole.width * whole.channels)];
+        std::copy_n(row, part.width * part.channels,
+                    &part.pixels[static_cast<std::size_t>(y * part.width * part.channels)]);
+    }
+    return part;
+}
+
+class PrincetonJob final : public HostJob {
+  public:
+    explicit PrincetonJob(const Blueprint& blueprint)
+        : description_(blueprint.description),
+          image_(*blueprint.image),
+          scene_(make_princeton_scene(description_)),
+          lights_(host::make_lights(description_.scene->light)),
+          distance_(host::fitting_distance(scene_, description_.scene->rotate.axis)),
+          columns_(columns_as_lanes(static_cast<std::int64_t>(blueprint.topology.nodes.size()))) {
+        if (description_.screen.width > kPrincetonColumns) {
+            throw description_.error("screen.width", std::to_string(description_.screen.width),
+                                     "the program's screen is smaller",
+                                     fmt::format("at most {}", kPrincetonColumns));
+        }
+        if (description_.screen.height > kPrincetonRows) {
+            throw description_.error("screen.height", std::to_string(description_.screen.height),
+                                     "the program's screen is smaller",
+                                     fmt::format("at most {}", kPrincetonRows));
+        }
+    }
+
+    void load(Machine& machine) override {
+        LockstepMachine& lockstep = *machine.lockstep();
+        try {
+            load_princeton(lockstep.array(), image_, scene_, view_at(0), lights_, columns_);
+        } catch (const std::invalid_argument& problem) {
+            throw description_.error("nodes.program", {}, problem.what(),
+                                     "a program that draws, such as vliw/sort_middle.s");
+        }
+        send(lockstep, 1);
+    }
+
+    // Line-locked, a matrix comes while the picture before is drawn; else when that is complete.
+    void frame_ended(Machine& machine, std::int64_t frame) override {
+        LockstepMachine& lockstep = *machine.lockstep();
+        if (lockstep.settings().line_locked) {
+            send(lockstep, frame + 2);
+        } else {
+            load_matrix(lockstep.array(), image_, view_at(frame + 1).matrix);
+        }
+    }
+
+    host::Picture collect(const Machine& machine) const override {
+        return upper_left(shown_picture(machine.lockstep()->array(), image_, columns_).picture,
+                          description_.screen);
+    }
+
+    std::optional<host::Picture> video(const Machine& machine) const override {
+        const LockstepMachine& lockstep = *machine.lockstep();
+        if (!lockstep.settings().line_locked) {
+            return std::nullopt;
+        }
+        host::Picture picture(static_cast<int>(description_.screen.width),
+                              static_cast<int>(description_.screen.height), 3);
+        for (int y = 0; y < picture.height; ++y) {
+            const std::span<const std::uint16_t> line = lockstep.video_line(y);
+            for (std::size_t lane = 0; lane < line.size(); ++lane) {
+                const auto column = columns_[lane];
+                if (column && *column < picture.width) {
+                    const host::Colour colour = host::colour_of(line[lane]);
+                    std::copy(colour.begin(), colour.end(), &picture.at(*column, y));
+                }
+            }
+        }
+        return picture;
+    }
+
+    host::Picture reference(std::int64_t frame) const override {
+        return upper_left(host::render_triangles(scene_, view_at(frame), lights_).picture,
+                          description_.screen);
+    }
+
+    int background() const override { return 0; }
+
+    std::string remarks() const override {
+        const std::size_t visible = host::render_triangles(scene_, view_at(0), lights_).visible;
+        return fmt::format("Object          {} triangles, {} of them visible in the first frame",
+                           scene_.triangles.size(), visible);
+    }
+
+  private:
+    host::TriangleView view_at(std::int64_t frame) const {
+        const config::RotationDescription& rotate = description_.scene->rotate;
+        host::View turn = make_view(description_);
+        turn.degrees = rotate.start + static_cast<double>(frame) * rotate.degrees;
+        host::TriangleView view;
+        view.matrix = host::eye_matrix(host::rotation_of(turn), {0, 0, distance_});
+        return view;
+    }
+
+    void send(LockstepMachine& lockstep, std::int64_t frame) const {
+        std::vector<std::uint16_t> words{static_cast<std::uint16_t>(kMatrixMarker | (frame & 1))};
+        for (const std::int16_t word : view_at(frame).matrix) {
+            words.push_back(static_cast<std::uint16_t>(word));
+        }
+        lockstep.send(std::move(words));
+    }
+
+    const MachineDescription& description_;
+    const isa::Image& image_;
+    host::TriangleScene scene_;
+    host::TriangleLights lights_;
+    int distance_;
+    ColumnMap columns_;
+};
+
+}  // namespace
+
+std::unique_ptr<HostJob> make_princeton_job(const Blueprint& blueprint) {
+    return std::make_unique<PrincetonJob>(blueprint);
+}
+
+}  // namespace rasterloom::emulation
