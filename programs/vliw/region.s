@@ -6,7 +6,7 @@
 ;     p = (x - region_left) band_rows + y - row_first
 ; has its words 0, 1 and 2 (memory.s) at address p of the banks 1, 2 and 3. Between bands all depths are 0: those who take a pixel out clear it.
 
-        .iif ndf group, group = 1               ; a divisor of lanes
+        .iif ndf group, group = 1               ; a divisor of lanes; at most 16384 lanes
 
 ; Bank 0, behind the texture: two lists of addresses of descriptors, then what is to be brought together (composite.s, fragments.s).
 wanted      = 0x8200                            ; what the lane draws
@@ -14,6 +14,9 @@ banded      = 0x8500                            ; what of that meets the band
 kGathered   = 0x8800
 kGatheredEnd = 0x10000
 
+        .if gt stride-1
+        .error  stride is an option of sort-middle: a group is the distance here
+        .endc
         .if lt 1023-group*<group-1>
         .error  group must be 1 to 1023, the longest shift
         .endc
@@ -79,6 +82,7 @@ row_last    = other_scratch+56          ; may lie below the screen
 wanted_end  = other_scratch+57          ; behind the last of `wanted`
 banded_end  = other_scratch+58          ; of `banded`
 
+; What of the lane's number and `lanes` follows; the first band. Error 3 and halt: lanes are no multiple of the group.
         .macro  find_region
         ld      r1, lane
         ld      r2, lanes

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -134,6 +135,12 @@ std::vector<ScenePolygon> random_scene(int count, int size, std::uint32_t seed, 
     for (int i = 0; i < count; ++i) {
         scene.push_back(polygon(random, size, screen, i % 2 != 0));
     }
+    return scene;
+}
+
+std::vector<ScenePolygon> mixed_scene() {
+    std::vector<ScenePolygon> scene = random_scene(40, 12, 1);
+    std::ranges::copy(random_scene(16, 70, 2), std::back_inserter(scene));
     return scene;
 }
 

@@ -25,6 +25,9 @@ struct ScreenSize {
 std::vector<ScenePolygon> random_scene(int count, int size, std::uint32_t seed,
                                        ScreenSize screen = {});
 
+// Small ones and some that cover much, for the default screen.
+std::vector<ScenePolygon> mixed_scene();
+
 // `file` with the scene dealt out to its lanes, the tables and the lights, ready to run. Arrays
 // have room for 130 descriptors.
 VliwRenderer chain_of(std::string_view file, const std::vector<ScenePolygon>& scene,

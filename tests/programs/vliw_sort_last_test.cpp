@@ -17,17 +17,15 @@ struct Case {
 class VliwSortLast : public ::testing::TestWithParam<Case> {};
 
 TEST_P(VliwSortLast, DrawsWhatSortMiddleDraws) {
-    for (const int size : {12, 70}) {
-        const auto scene = random_scene(60, size, static_cast<std::uint32_t>(size));
-        const auto [lanes, options] = GetParam();
-        VliwRenderer renderer = chain_of("sort_last.s", scene, options, lanes);
-        ASSERT_FALSE(renderer.run()) << "error " << renderer.read(0, "error");
-        const ScreenPicture picture = renderer.symbol("fragments") != 0
-                                          ? shown_picture(renderer)
-                                          : composited_picture(renderer);
-        const Defines textured{{"textured", renderer.symbol("textured")}};
-        EXPECT_EQ(differences(picture, sort_middle_picture(scene, textured)), 0);
-    }
+    const auto scene = mixed_scene();
+    const auto [lanes, options] = GetParam();
+    VliwRenderer renderer = chain_of("sort_last.s", scene, options, lanes);
+    ASSERT_FALSE(renderer.run()) << "error " << renderer.read(0, "error");
+    EXPECT_TRUE(renderer.symbol("line_locked") == 0 || renderer.longest_scanline() <= 850);
+    const ScreenPicture picture =
+        renderer.symbol("fragments") != 0 ? shown_picture(renderer) : composited_picture(renderer);
+    const Defines textured{{"textured", renderer.symbol("textured")}};
+    EXPECT_EQ(differences(picture, sort_middle_picture(scene, textured)), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dense, VliwSortLast,
