@@ -20,6 +20,8 @@ communicate:
         begin_list wanted, wanted_end
         st      r0, near_passes
         st      r0, near_passes+1
+        st      r0, pixel_passes
+        st      r0, pixel_passes+1
         ld      own, source_at
         ld      own_end, source_count
         mul     own_end, own_end, #kDescriptor

@@ -120,8 +120,6 @@ composite:
         .endc
         mov     r15, #kGathered
         st      r15, composite_picture
-        st      r0, pixel_passes
-        st      r0, pixel_passes+1
 composite_band:
         mov     set, r0
         composite_words st

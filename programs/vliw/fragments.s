@@ -96,12 +96,6 @@ composite:
         ld      r16, lanes
         tltu    r16, #screen_columns
         bt      lanes_left_over
-        ld      r16, row_first
-        tne     r16, r0
-        bt      fragments_band
-        st      r0, pixel_passes
-        st      r0, pixel_passes+1
-fragments_band:
         mov     next, #kGathered
         mov     column_of, #-1
         st      next, fragment_next

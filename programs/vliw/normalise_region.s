@@ -73,9 +73,27 @@ name'_save:
         st      r30, normal_next
         .endm
 
+; row_next := the lesser of row_next and `by`. t, u, v: to work with.
+        .macro  lower_row_next by, t, u, v
+        ld      t, row_next
+        sub     u, by, t
+        mul     v, u, #1, 15
+        and     u, u, v
+        add     t, t, u
+        st      t, row_next
+        .endm
+
+        .macro  no_row_next
+        mov     r5, #kNoRow
+        st      r5, row_next
+        .endm
+
 normalise:
         wake
         phase   3
+        .if ne fragments
+        no_row_next
+        .endc
         first_of_list
         setp    normalise_some
         line
@@ -110,6 +128,9 @@ normalise_loop:
         st      r13, n_intensity+3(r1)
         .endc
         .if gt bands-1
+        .if ne fragments
+        lower_row_next r3, r16, r17, r18
+        .endc
         finish_some normalise, begin_band
         .else
         finish_some normalise, rasterise
@@ -119,6 +140,13 @@ normalise_loop:
 begin_band:
         wake
         phase   3
+        .if ne fragments
+        ld      r6, row_next
+        add     r7, r6, #band_rows-1
+        st      r6, row_first
+        st      r7, row_last
+        no_row_next
+        .endc
         first_of_list
         begin_list banded, banded_end
         setp    band
@@ -169,6 +197,18 @@ band_loop:
         sub     r2, r0, r2
         add     r7, r7, r3
         st      r7, n_origin(r1)
+        .if ne fragments
+        add     r12, r6, #1             ; where it goes on below this band, if it does
+        sub     r13, r7, r12
+        positive r13, r13, r14
+        add     r12, r12, r13
+        tlt     r6, r8
+        tget    r13
+        sub     r12, r12, #kNoRow
+        mul     r12, r12, r13
+        add     r12, r12, #kNoRow
+        lower_row_next r12, r13, r14, r15
+        .endc
         move_all 0
         .if eq deferred
         move_intensity r5, r6, r7, r8, r9, r10

@@ -5,8 +5,9 @@
 ; A region is drawn in bands of `band_rows` rows, because it must fit into the slow memory: pixel
 ;     p = (x - region_left) band_rows + y - row_first
 ; has its words 0, 1 and 2 (memory.s) at address p of the banks 1, 2 and 3. Between bands all depths are 0: those who take a pixel out clear it.
+; Where bands are composited all lanes have the same; where fragments are sent each begins its next one at the topmost row that it needs.
 
-        .iif ndf group, group = 1               ; a divisor of lanes; at most 16384 lanes
+        .iif ndf group, group = 1               ; a divisor of lanes; at most 32767 lanes
 
 ; Bank 0, behind the texture: two lists of addresses of descriptors, then what is to be brought together (composite.s, fragments.s).
 wanted      = 0x8200                            ; what the lane draws
@@ -81,6 +82,8 @@ row_first   = other_scratch+55          ; of the band being drawn
 row_last    = other_scratch+56          ; may lie below the screen
 wanted_end  = other_scratch+57          ; behind the last of `wanted`
 banded_end  = other_scratch+58          ; of `banded`
+row_next    = other_scratch+59          ; fragments: the topmost row that the lane has still to draw below the band; kNoRow: none
+kNoRow      = 0x4000
 
 ; What of the lane's number and `lanes` follows; the first band. Error 3 and halt: lanes are no multiple of the group.
         .macro  find_region
@@ -90,6 +93,10 @@ banded_end  = other_scratch+58          ; of `banded`
         mulu    r4, r2, #kPerGroup, kGroupPick
         mul     r5, r3, #group
         sub     r5, r1, r5
+        asr     r11, r5, #15            ; beyond 16383 the quotient may be 1 too large
+        add     r3, r3, r11
+        and     r11, r11, #group
+        add     r5, r5, r11
         mul     r6, r5, #kRegionColumns
         add     r7, r6, #kRegionColumns-1
         st      r3, member
@@ -125,6 +132,11 @@ banded_end  = other_scratch+58          ; of `banded`
         .macro  next_band ?none
         setp    finish
         .if gt bands-1
+        .if ne fragments
+        ld      r26, row_next
+        tne     r26, #kNoRow
+        bnor    none
+        .else
         ld      r26, row_first
         ld      r27, row_last
         add     r26, r26, #band_rows
@@ -133,6 +145,7 @@ banded_end  = other_scratch+58          ; of `banded`
         st      r27, row_last
         tlt     r26, #screen_rows
         bf      none
+        .endc
         setp    begin_band
 none:
         .endc

@@ -175,6 +175,21 @@ TEST(VliwRegionPasses, CostNoMoreThanEldridges) {
               3 * kDescriptorWords + 30);
 }
 
+TEST(VliwRegions, LieSideBySideOnTheLongestRings) {
+    constexpr int kLanes = 32766;
+    constexpr int kGroup = 127;
+    VliwRenderer renderer = renderer_with(Boxes(kLanes), {{"group", kGroup}});
+    ASSERT_TRUE(renderer.run());
+    int wrong = 0;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const bool right = renderer.read(lane, "region") == lane % kGroup &&
+                           renderer.read(lane, "member") == lane / kGroup &&
+                           renderer.read(lane, "members") == kLanes / kGroup;
+        wrong += right ? 0 : 1;
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
 TEST(VliwRegionErrors, HaltWithThreeWhereLanesAreNoMultipleOfTheGroup) {
     VliwRenderer renderer = renderer_with(Boxes(10), {{"group", 4}});
     ASSERT_TRUE(renderer.run());

@@ -3,6 +3,7 @@
 #include "programs/vliw_chain.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -75,6 +76,19 @@ TEST(VliwSortLastSparse, DrawsTheSameByTheProgramAsWrittenAndInTheNextPicture) {
         chain_of("sort_last.s", scene, {{"dense", 0}}, kColumns, Form::as_written);
     written.run();
     EXPECT_EQ(differences(shown_picture(written), first), 0);
+}
+
+// One polygon of at most 10 rows on each lane: one band of 16 does, wherever it lies.
+TEST(VliwSortLastSparse, DrawsBandsWhereEachLaneNeedsThem) {
+    const auto scene = random_scene(kColumns, 10, 7);
+    std::vector<std::int64_t> bundles;
+    for (const int band_rows : {16, 64}) {
+        VliwRenderer renderer =
+            chain_of("sort_last.s", scene, {{"dense", 0}, {"band_rows", band_rows}}, kColumns);
+        renderer.run();
+        bundles.push_back(renderer.bundles(4));
+    }
+    EXPECT_EQ(bundles[0], bundles[1]);
 }
 
 TEST(VliwSortLastSparse, HaltsWithThreeOnARingShorterThanTheScreenIsWide) {
