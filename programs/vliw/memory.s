@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; The renderers' lane memory and data formats; every file of programs/vliw includes this one. Word addresses of the fast memory.
 ; Who fills what: H the host, before the run (or a scanline at a time: the matrix); G geometry; C communication; R rasterising.
 ;
