@@ -16,8 +16,7 @@ source_end  = 0x05      ; first word behind that
 receive_at  = 0x06      ; the same of descriptors received: room for one more than the lane keeps, as the source array has, too, with strides
 receive_end = 0x07
 most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
-error       = 0x09      ; 0, or why the program halted: 1 source array full, 2 receive array full (G, C), 3 lanes no multiple of the group,
-                        ; 4 no room for the composited picture
+error       = 0x09      ; 0, or why the program halted: error_name_* below
 lanes       = 0x0a      ; lanes on the ring (the same on all)
 ;
 ; What the machine's records call phases (`phase n`) and what `error` says
@@ -26,8 +25,11 @@ phase_name_geometry = 1
 phase_name_communicate = 2
 phase_name_normalise = 3
 phase_name_rasterise = 4
+phase_name_composite = 5
 error_name_the_source_array_is_full = 1
 error_name_the_receive_array_is_full = 2
+error_name_the_lanes_are_no_multiple_of_the_group = 3
+error_name_there_is_no_room_for_the_composited_picture = 4
 ;
 ; The view (H). x' = (m0 x + m1 y + m2 z) / 2^14 + m9, and so on: eye space, x right, y up, z away; visible from near on.
 ; Screen, in 1/16 pixel: sx = 8 screen_columns + f x'/z', sy = 8 screen_rows - f y'/z'; samples lie on whole pixels, row 0 is the upper one.
