@@ -110,7 +110,8 @@ send:
         ld      next_end, fragments_end
         ld      here, column
         ld      buffer, drawing
-        mov     r23, r0
+        mov     r23, r0                 ; passes, two words
+        mov     r28, r0
         .if ne line_locked
         setc    c3, kPassCycles-60/kSendCycles
         .endc
@@ -120,7 +121,8 @@ send_loop:
         tge     column_of, r0
         bnor    send_done
         pass_fragment
-        add     r23, r23, #1
+        adds    r23, r23, #1
+        adc     r28, r28, r0
         look_ahead
         keep_nearer
         take_fragment
@@ -138,7 +140,7 @@ send_save:
         ld      r24, pixel_passes
         ld      r25, pixel_passes+1
         adds    r24, r24, r23
-        adc     r25, r25, r0
+        adc     r25, r25, r28
         st      r24, pixel_passes
         st      r25, pixel_passes+1
         line

@@ -26,7 +26,8 @@ own_end = r4
 to_go   = r5            ; passes that the slot's descriptor still needs
 here    = r6            ; this lane; in the near round's passes, its column
 room    = r9
-passed  = r10           ; passes in this procedure
+passed  = r10           ; passes in this procedure, lower and upper word
+passed_upper = r25
 handed  = r11           ; to_go as the next lane gets it
 first   = r12           ; d_left
 last    = r13           ; d_right
@@ -116,7 +117,8 @@ name:
         ld      room, link_room
         ld      to_go, d_passes(slot)
         where_'kind
-        mov     passed, #0
+        mov     passed, r0
+        mov     passed_upper, r0
         .if ne line_locked
 kPasses = kPassCycles/<2+places*kDescriptor+kPassOverhead>
         .if eq kPasses
@@ -146,7 +148,8 @@ name'_loop:
         mul     r16, r16, #kDescriptor
         mov     slot, into
         add     into, into, r16
-        add     passed, passed, #1
+        adds    passed, passed, #1
+        adc     passed_upper, passed_upper, r0
         tltu    room, into
         bor     receive_overflow
         .if ne line_locked
@@ -165,7 +168,7 @@ name'_save:
         ld      r16, counter
         ld      r17, counter+1
         adds    r16, r16, passed
-        adc     r17, r17, r0
+        adc     r17, r17, passed_upper
         st      r16, counter
         st      r17, counter+1
         line

@@ -3,6 +3,7 @@
 #include "programs/vliw_chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,31 @@ TEST(VliwSortLastSparse, DrawsTheSameByTheProgramAsWrittenAndInTheNextPicture) {
         chain_of("sort_last.s", scene, {{"dense", 0}}, kColumns, Form::as_written);
     written.run();
     EXPECT_EQ(differences(shown_picture(written), first), 0);
+}
+
+// A triangle over all of a narrow screen.
+ScenePolygon covering() {
+    ScenePolygon words{};
+    const std::array<std::array<int, 2>, 3> places{{{-7880, -3400}, {7880, -3400}, {0, 7880}}};
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        words[7 * v] = static_cast<std::uint16_t>(places[v][0]);
+        words[7 * v + 1] = static_cast<std::uint16_t>(places[v][1]);
+        words[7 * v + 2] = 8000;
+    }
+    return words;
+}
+
+// Every lane sends every pixel, so no slot is ever empty: rows times 1 + 2 + ... + lanes places.
+TEST(VliwSortLastSparse, CountsMorePassesThanAWordHolds) {
+    constexpr ScreenSize kNarrow{16, 512};
+    VliwRenderer renderer = chain_of("sort_last.s", std::vector(kNarrow.columns, covering()),
+                                     {{"dense", 0}}, kNarrow.columns, Form::packed, kNarrow);
+    renderer.run();
+    const int passes =
+        renderer.read(0, "pixel_passes") + (renderer.read(0, "pixel_passes", 1) << 16);
+    const int places = kNarrow.columns * (kNarrow.columns + 1) / 2;
+    EXPECT_GE(passes, kNarrow.rows * places);
+    EXPECT_LE(passes, kNarrow.rows * places + kNarrow.columns);
 }
 
 // One polygon of at most 10 rows on each lane: one band of 16 does, wherever it lies.
