@@ -146,14 +146,6 @@ prepare_near_loop:
         tge.or  seam, first
         .endm
 
-        .macro  where_near
-        ld      here, column
-        .endm
-        .macro  wanted_near
-        tge     here, first
-        tge.and last, here
-        .endm
-
         .if gt stride-1
         pass_procedure pass_far, stride, far, far_passes, communicate_near
         .endc

@@ -11,7 +11,6 @@
 
 right_end = r7                          ; region_right
 left_end = r8                           ; region_left
-list    = r15                           ; wanted_end
 
 communicate:
         wake
@@ -43,12 +42,6 @@ communicate:
         .macro  wanted_region mode
         tge'mode right_end, first
         tge.and last, left_end
-        .endm
-
-; What has come and is kept
-        .macro  list_it
-        sts     into, 0, (list)
-        add     list, list, r16
         .endm
 
 ; r16: passes to the last lane.

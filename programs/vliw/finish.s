@@ -10,7 +10,11 @@ kCleared    = 96                        ; words at once
 
         .macro  begin_geometry
         phase   1
+        .if ne sort_first
+        setp    sort_homes
+        .else
         setp    geometry
+        .endc
         .endm
 
         .macro  take_matrix

@@ -4,11 +4,15 @@
 ;               what has been found out about it: see `candidate`;
 ;   `light`     goes over these and makes them descriptors (geometry_light.s, geometry_planes.s).
 ; `geometry` is the entry; main has the label `communicate`, where it goes on. textured = 0 leaves u and v out.
+; With sort_first the polygons are those that the list `wanted` names, and the descriptors stay: main has the label `normalise`.
 ; A lane whose array is full when one more polygon is visible sets `error` to 1, and the machine halts.
 
         .include "memory.s"
         .include "arithmetic.s"
         .include "duplicate.s"
+        .if ne sort_first
+        .include "wanted.s"
+        .endc
         .if ndf textured
 textured = 1
         .endc
@@ -16,8 +20,8 @@ textured = 1
 ; geometry_scratch
 eye_rows    = geometry_scratch  ; a row of the matrix: 3 words s1.14, then its integer, times 2^14 and half a unit, 32 bits
 kEyeRow     = 5
-next_polygon = geometry_scratch+15      ; transform's next one
-polygons_stop = geometry_scratch+16     ; first word behind the database
+next_polygon = geometry_scratch+15      ; transform's next one, with sort_first its place in a list
+polygons_stop = geometry_scratch+16     ; first word behind the database or list
 next_slot   = geometry_scratch+17       ; where the next visible polygon goes, then: which one to light
 slots_stop  = geometry_scratch+18       ; first word behind the visible ones
 last_slot   = geometry_scratch+19       ; the last place where a descriptor has room
@@ -35,14 +39,8 @@ d_lit       = 26                ; intensity of each vertex, 8.8
 kCandidate  = 29
         .iif gt spare_slot+kCandidate-other_scratch, .error the geometry's scratch is too small
 
-; Prepares transform. The matrix is copied: a new one may come while this stage is at work.
-geometry:
-        wake
-        phase   1
-        setp    transform
-        ld      r1, most
-        put     r1
-        ldc     c0
+; The matrix is copied: a new one may come while geometry is at work. r1 ... r5: spoilt.
+        .macro  copy_matrix
         .irp row, <0, 1, 2>
         .irp k, <0, 1, 2>
         ld      r2, <row*3>+k+matrix
@@ -55,10 +53,41 @@ geometry:
         st      r4, <row*kEyeRow>+3+eye_rows
         st      r5, <row*kEyeRow>+4+eye_rows
         .endr
+        .endm
+
+; From light, with slots_stop in r31.
+        .macro  leave_geometry
+        .if ne sort_first
+        ld      r2, source_at
+        ld      r3, source_count
+        st      r2, received_at
+        st      r31, received_end
+        st      r3, receive_count
+        setp    normalise
+        .else
+        setp    communicate
+        .endc
+        .endm
+
+; Prepares transform.
+geometry:
+        wake
+        phase   1
+        setp    transform
+        .if ne sort_first
+        phase   1                       ; sort_homes has copied the matrix
+        mov     r7, #wanted
+        ld      r6, wanted_end
+        .else
+        ld      r1, most
+        put     r1
+        ldc     c0
+        copy_matrix
         ld      r6, polygons
         ld      r7, polygons_at
         mul     r6, r6, #kPolygon
         add     r6, r6, r7
+        .endc
         st      r7, next_polygon
         st      r6, polygons_stop
         ld      r8, source_at
@@ -72,10 +101,13 @@ geometry:
         mov     r8, #spare_slot
         wake
         st      r8, next_slot
+        .if eq sort_first
         tne     r1, r0
         bt      1$
         setp    communicate
-1$:     line
+1$:
+        .endc
+        line
 
         .include "geometry_transform.s"
         .include "geometry_light.s"

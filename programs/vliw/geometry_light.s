@@ -49,7 +49,7 @@ light:
         put     r1
         tltu    r30, r31
         bor     1$
-        setp    communicate
+        leave_geometry
         line
 1$:     slf
         ld      r1, d_polygon(r30)

@@ -75,24 +75,53 @@ kTransformsALine = 4            ; polygons
         tge.and high, low
         .endm
 
-transform:
-        wake
-        setc    c1, kTransformsALine
+; r31, r27, r30
+        .macro  load_view
         ld      r31, focal
         sub     r27, r0, r31
         ld      r30, near
-        ld      r28, next_polygon
-        ld      r29, next_slot
-1$:     wake
+        .endm
+
+; Lanes that have no further polygon fall asleep. T, r1, r2: spoilt.
+        .macro  take_polygon
+        wake
+        .if ne sort_first
+        ld      r1, next_polygon
+        ld      r2, polygons_stop
+        tltu    r1, r2
+        slf
+        lds     r28, 0, (r1)
+        add     r1, r1, #1
+        st      r1, next_polygon
+        .else
         ld      r1, polygons_stop
         tltu    r28, r1
         slf
+        .endc
+        .endm
+
+; Everybody awake, unless some lane has a further polygon: then on at `more`.
+        .macro  if_more more
+        .if ne sort_first
+        wake
+        ld      r1, next_polygon
+        ld      r2, polygons_stop
+        tltu    r1, r2
+        bor     more
+        .else
+        dec     c0, more
+        wake
+        .endc
+        .endm
+
+; T := the polygon r28 is visible. Its box's columns in r11 and r12, not yet within the screen; twice its area, 32 bits, in r8, r9; its screen
+; coordinates in r21 ... r26. Box, eye coordinates and reciprocals are in the candidate. `loads` is done before the box is stored.
+        .macro  transform_polygon loads
         load_vertex 0, r1, r2, r3
         transform_vertex 0, r21, r22, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, <load_vertex 1, r11, r12, r13>
         transform_vertex 1, r23, r24, r11, r12, r13, r14, r15, r16, r17, r18, r19, r20, <load_vertex 2, r1, r2, r3>
         transform_vertex 2, r25, r26, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10
-        ld      r19, source_count
-        ld      r20, last_slot
+        loads
         box     r11, r12, r13, r21, r23, r25, screen_columns, r14, r15
         st      r11, d_left(r29)
         st      r12, d_right(r29)
@@ -104,6 +133,23 @@ transform:
         product r8, r9, r3, r6
         sub_product r8, r9, r13, r7, r16, r17
         less32  r0, r0, r8, r9, r10, .and
+        .endm
+
+        .macro  load_array
+        ld      r19, source_count
+        ld      r20, last_slot
+        .endm
+
+transform:
+        wake
+        setc    c1, kTransformsALine
+        load_view
+        .if eq sort_first
+        ld      r28, next_polygon
+        .endc
+        ld      r29, next_slot
+1$:     take_polygon
+        transform_polygon load_array
         sends   r11, r14, r15, r16
         st      r8, d_area(r29)
         st      r9, d_area+1(r29)
@@ -114,7 +160,9 @@ transform:
         st      r25, d_screen+4(r29)
         st      r26, d_screen+5(r29)
         st      r28, d_polygon(r29)
+        .if eq sort_first
         add     r28, r28, #kPolygon
+        .endc
 
         slf                             ; the visible ones
         teq     r29, #spare_slot
@@ -126,15 +174,16 @@ transform:
         tltu    r20, r29
         slf
         mov     r29, #spare_slot
-        dec     c0, 2$
-        wake
+        if_more 2$
         ld      r1, source_at
         st      r1, next_slot
         setp    light
         line
 2$:     dec     c1, 1$
         wake
+        .if eq sort_first
         st      r28, next_polygon
+        .endc
         st      r29, next_slot
         line
 

@@ -6,11 +6,15 @@
         .iif ndf screen_columns, screen_columns = 768
         .iif ndf screen_rows, screen_rows = 512
 ;
+        .iif ndf sort_first, sort_first = 0     ; 1: polygons go to the lanes of their columns first, geometry is done there
+;
+; Phases, by which work is counted: 0 other, 1 geometry, 2 communication, 3 normalising, 4 rasterising, 5 bringing pixels together, 6 migration.
+;
 ; The lane and its share of the screen (H)
 lane        = 0x00      ; this lane's number
 column      = 0x01      ; the column of the screen that it draws; 0x7fff: none. Sort-middle: lane i draws column i, or none
 polygons    = 0x02      ; polygons in this lane's database
-polygons_at = 0x03      ; where its database begins: kPolygon words each
+polygons_at = 0x03      ; where its database begins: kDatabase words each
 source_at   = 0x04      ; where its array of descriptors to be sent begins; geometry works in it, too, before it makes them
 source_end  = 0x05      ; first word behind that
 receive_at  = 0x06      ; the same of descriptors received: room for one more than the lane keeps, as the source array has, too, with strides
@@ -18,6 +22,7 @@ receive_end = 0x07
 most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
 error       = 0x09      ; 0, or why the program halted: error_name_* below
 lanes       = 0x0a      ; lanes on the ring (the same on all)
+homes_end   = 0x0b      ; sort-first: first word behind the room for the database, one polygon more than the lane may ever hold
 ;
 ; What the machine's records call phases (`phase n`) and what `error` says
 phase_name_finish = 0
@@ -26,10 +31,12 @@ phase_name_communicate = 2
 phase_name_normalise = 3
 phase_name_rasterise = 4
 phase_name_composite = 5
+phase_name_migrate = 6
 error_name_the_source_array_is_full = 1
 error_name_the_receive_array_is_full = 2
 error_name_the_lanes_are_no_multiple_of_the_group = 3
 error_name_there_is_no_room_for_the_composited_picture = 4
+error_name_there_are_more_polygons_than_homes = 5
 ;
 ; The view (H). x' = (m0 x + m1 y + m2 z) / 2^14 + m9, and so on: eye space, x right, y up, z away; visible from near on.
 ; Screen, in 1/16 pixel: sx = 8 screen_columns + f x'/z', sy = 8 screen_rows - f y'/z'; samples lie on whole pixels, row 0 is the upper one.
@@ -61,6 +68,8 @@ received_end = 0x35     ; first word behind them
 far_passes  = 0x36      ; passes of `stride` places in this frame, if stride is more than 1: lower word, upper word (the same on all lanes)
 near_passes = 0x38      ; passes of 1 place
 pixel_passes = 0x3b     ; passes of pixels, lower and upper word: composite.s, fragments.s
+migration_passes = 0x3d ; passes of migrating polygons, lower and upper word: migrate.s
+most_homes  = 0x3f      ; the most polygons that this lane has held at the end of a migration
 scanline    = 0x3a      ; number of the next scanline, 0 ... 524 (line-locked)
 ;
 geometry_scratch = 0x40 ; 0x40 ... 0x9f
@@ -72,6 +81,12 @@ reciprocals = 0x8000    ; (H) reciprocals + z, z = 0 ... 32767: min(round(2^28 /
 ;
 ; A polygon of the database: counter-clockwise triangle as seen from the front (Eldridge 1995, figure 7-5)
 kPolygon    = 24        ; words
+kHome       = 27        ; words that a polygon has where its lane is to know more about it: homes.s
+        .if ne sort_first
+kDatabase   = kHome     ; from one polygon to the next
+        .else
+kDatabase   = kPolygon
+        .endc
 ;   vertex v at 7 v: x, y, z integers; nx, ny, nz s1.14; u, v: two bytes (u the upper), 0.8
 ;   21: red, green bytes; 22: blue byte, texture's upper byte; 23: texture's lower bytes (0: no texture)
 ;

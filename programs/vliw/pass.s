@@ -1,14 +1,17 @@
 ; SPDX-License-Identifier: MIT
-; Passes of descriptors from lane to lane, for communicate.s and communicate_region.s. Store and forward: a pass hands the descriptor in every
-; lane's slot on to a lane on the right. What arrives is written behind what the lane keeps; if the lane wants it, it stays there,
-; otherwise the next one overwrites it. Either way it is in the lane's slot for the next pass, unless nobody needs it any more: then the
-; next of the lane's own is put in.
+; Passes of records from lane to lane, for communicate.s and communicate_region.s (descriptors), distribute.s and migrate.s (polygons of homes.s).
+; Store and forward: a pass hands the record in every lane's slot on to a lane on the right. What arrives is written behind what the lane
+; keeps; if the lane wants it, it stays there, otherwise the next one overwrites it. Either way it is in the lane's slot for the next
+; pass, unless nobody needs it any more: then the next of the lane's own is put in.
 ;
-; d_passes says how far a descriptor has still to go: the passes to its last destination. Nobody needs it if there are none;
-; such a one arrives with -1, a descriptor that has come to its last destination with 0.
+; d_passes (h_passes) says how far a record has still to go: the passes to its last destination. Nobody needs it if there are none;
+; such a one arrives with -1, a record that has come to its last destination with 0.
+;
+; Of a record of kind `record` macros and symbols tell, descriptors' below: `record'_passes; take_`record' puts the lane's next own into the slot,
+; pass_`record' passes it, with first, last and to_go read on the way.
 ; Memory: link_*. Counter: c2.
 
-link_slot   = other_scratch         ; the descriptor to be passed on
+link_slot   = other_scratch         ; the record to be passed on
 link_into   = other_scratch+1       ; where the next one arrives
 link_own    = other_scratch+2       ; next of the lane's own to be put in
 link_end    = other_scratch+3       ; first word behind the lane's own
@@ -17,7 +20,7 @@ link_next   = other_scratch+5       ; next of the lane's own to be prepared
 
 kPassOverhead = 30                  ; cycles of a pass beside its words, at most
 kPassCycles = 820                   ; for passes on a scanline
-kPreparations = 25                  ; descriptors prepared on a scanline
+kPreparations = 25                  ; records prepared on a scanline
 
 slot    = r1
 into    = r2
@@ -33,19 +36,19 @@ first   = r12           ; d_left
 last    = r13           ; d_right
 ring    = r14           ; lanes
 
-; ---- A round begins. Sent is what lies from `own` to `own_end`, the receiving array is at (into_at) to (into_end).
-        .macro  begin_round into_at, into_end, next
+; ---- A round begins. Sent is what lies from `own` to `own_end`, what is prepared for it begins at `prepare`, the receiving array is at (into_at) to (into_end).
+        .macro  begin_round into_at, into_end, next, record=d, words=kDescriptor, prepare=own
         ld      into, into_at
         ld      room, into_end
-        sub     room, room, #kDescriptor
+        sub     room, room, #words
         st      own, link_own
-        st      own, link_next
+        st      prepare, link_next
         st      own_end, link_end
         st      into, link_into
         st      into, link_slot
         st      room, link_room
         mov     to_go, #-1
-        st      to_go, d_passes(into)   ; an empty slot
+        st      to_go, record'_passes(into)     ; an empty slot
         setp    next
         line
         .endm
@@ -58,6 +61,10 @@ ring    = r14           ; lanes
         mul     r16, r16, r19
         st      r16, d_passes(own)
         add     own, own, #kDescriptor
+        next_preparation name, next, <save>
+        .endm
+
+        .macro  next_preparation name, next, save
         tltu    own, own_end
         bnor    name'_done
         dec     c2, name'_loop
@@ -72,16 +79,22 @@ name'_save:
         .endm
 
 ; ---- Passes
-        .macro  pass_word k, from, to, ahead, next_from, places
+        .macro  pass_word k, from, to, ahead, next_from, places, way=right
         put     from
-        right   places
+        way     places
         ld      next_from, ahead(slot)
         get     to
         st      to, k(into)
         .endm
 
+        .macro  take_d
+        mov     slot, own
+        ld      to_go, d_passes(own)
+        add     own, own, #kDescriptor
+        .endm
+
 ; The first words of a descriptor come with d_left, d_right and d_passes, which are looked at.
-        .macro  pass_descriptor places
+        .macro  pass_d  places
         ld      r16, 0(slot)
         pass_word 0, r16, first, 1, r17, places
         pass_word 1, r17, last, 2, r18, places
@@ -105,9 +118,56 @@ at = at+4
         st      r21, at(into)
         .endm
 
+; The lane draws one column.
+        .macro  where_near
+        ld      here, column
+        .endm
+        .macro  wanted_near
+        tge     here, first
+        tge.and last, here
+        .endm
+
+; T := T or the lane has something to pass; handed: what the next lane gets as to_go. r16: spoilt.
+        .macro  anything_to_pass
+        tlt     r0, to_go
+        tget    r16
+        tltu.or own, own_end
+        mul     handed, to_go, r16
+        sub     handed, handed, #1
+        .endm
+
+        .macro  count_passes counter, upper=r0
+        ld      r16, counter
+        ld      r17, counter+1
+        adds    r16, r16, passed
+        adc     r17, r17, upper
+        st      r16, counter
+        st      r17, counter+1
+        .endm
+
+; c2 := passes of a scanline.
+        .macro  limit_passes places, words
+        .if ne line_locked
+kPasses = kPassCycles/<2+places*words+kPassOverhead>
+        .if eq kPasses
+        .error  a pass of `stride` places does not fit into a scanline
+        .endc
+        setc    c2, kPasses
+        .endc
+        .endm
+
+        .macro  next_pass name
+        .if ne line_locked
+        dec     c2, name'_loop
+        jump    name'_save
+        .else
+        jump    name'_loop
+        .endc
+        .endm
+
 ; Macros where_kind: the lane's registers for wanted_kind, which sets T if the lane wants what has come. keep: done with r16 = 1 on lanes that
-; keep it at `into`, 0 on others; save: at the procedure's end.
-        .macro  pass_procedure name, places, kind, counter, next, keep, save
+; keep it at `into`, 0 on others; save: at the procedure's end. words: of a record.
+        .macro  pass_procedure name, places, kind, counter, next, keep, save, record=d, words=kDescriptor
 name:
         wake
         ld      slot, link_slot
@@ -115,49 +175,32 @@ name:
         ld      own, link_own
         ld      own_end, link_end
         ld      room, link_room
-        ld      to_go, d_passes(slot)
+        ld      to_go, record'_passes(slot)
         where_'kind
         mov     passed, r0
         mov     passed_upper, r0
-        .if ne line_locked
-kPasses = kPassCycles/<2+places*kDescriptor+kPassOverhead>
-        .if eq kPasses
-        .error  a pass of `stride` places does not fit into a scanline
-        .endc
-        setc    c2, kPasses
-        .endc
+        limit_passes places, words
 name'_loop:
         tge     r0, to_go
         tltu.and own, own_end
         slf
-        mov     slot, own
-        ld      to_go, d_passes(own)
-        add     own, own, #kDescriptor
+        take_'record
         wake
-        tlt     r0, to_go
-        tget    r16
-        tltu.or own, own_end
-        mul     handed, to_go, r16
-        sub     handed, handed, #1
+        anything_to_pass
         bnor    name'_done
-        pass_descriptor places
+        pass_'record places
         wanted_'kind
         tge.and to_go, r0
         tget    r16
         keep
-        mul     r16, r16, #kDescriptor
+        mul     r16, r16, #words
         mov     slot, into
         add     into, into, r16
         adds    passed, passed, #1
         adc     passed_upper, passed_upper, r0
         tltu    room, into
         bor     receive_overflow
-        .if ne line_locked
-        dec     c2, name'_loop
-        jump    name'_save
-        .else
-        jump    name'_loop
-        .endc
+        next_pass name
 name'_done:
         setp    next
 name'_save:
@@ -165,12 +208,7 @@ name'_save:
         st      into, link_into
         st      own, link_own
         save
-        ld      r16, counter
-        ld      r17, counter+1
-        adds    r16, r16, passed
-        adc     r17, r17, passed_upper
-        st      r16, counter
-        st      r17, counter+1
+        count_passes counter, passed_upper
         line
         .endm
 

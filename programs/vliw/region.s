@@ -10,7 +10,7 @@
         .iif ndf group, group = 1               ; a divisor of lanes; at most 32767 lanes
 
 ; Bank 0, behind the texture: two lists of addresses of descriptors, then what is to be brought together (composite.s, fragments.s).
-wanted      = 0x8200                            ; what the lane draws
+        .include "wanted.s"
 banded      = 0x8500                            ; what of that meets the band
 kGathered   = 0x8800
 kGatheredEnd = 0x10000
@@ -80,7 +80,6 @@ member      = other_scratch+53          ; lane / group
 members     = other_scratch+54          ; lanes / group
 row_first   = other_scratch+55          ; of the band being drawn
 row_last    = other_scratch+56          ; may lie below the screen
-wanted_end  = other_scratch+57          ; behind the last of `wanted`
 banded_end  = other_scratch+58          ; of `banded`
 row_next    = other_scratch+59          ; fragments: the topmost row that the lane has still to draw below the band; kNoRow: none
 kNoRow      = 0x4000
@@ -110,12 +109,6 @@ kNoRow      = 0x4000
         mul     r9, r4, #group
         tne     r9, r2
         bor     lanes_left_over
-        .endm
-
-; A list begins.
-        .macro  begin_list at, end
-        mov     r10, #at
-        st      r10, end
         .endm
 
 ; The pixel at address `at` of the region: its column and row on the screen. t, u: to work with.

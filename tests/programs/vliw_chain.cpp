@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint32_t kSourceAt = 0x1000;
 constexpr std::uint32_t kReceiveAt = 0x2800;
 constexpr std::uint32_t kDatabaseAt = 0x4000;
+constexpr std::uint32_t kDatabaseEnd = 0x8000;
 constexpr int kFocal = 11200;
 constexpr int kNear = 4097;
 constexpr int kOne = 1 << 14;  // s1.14
@@ -150,15 +151,17 @@ VliwRenderer chain_of(std::string_view file, const std::vector<ScenePolygon>& sc
     options["screen_rows"] = screen.rows;
     VliwRenderer renderer(file, options, lanes, form);
     std::vector<int> counts(static_cast<std::size_t>(lanes));
+    const int pitch = renderer.symbol("kDatabase");
     for (std::size_t i = 0; i < scene.size(); ++i) {
         const std::size_t lane = i * 7 % counts.size();
         renderer.write(static_cast<std::int64_t>(lane),
-                       kDatabaseAt + static_cast<std::uint32_t>(24 * counts[lane]++), scene[i]);
+                       kDatabaseAt + static_cast<std::uint32_t>(pitch * counts[lane]++), scene[i]);
     }
     for (int lane = 0; lane < lanes; ++lane) {
         renderer.write(lane, "polygons", counts[static_cast<std::size_t>(lane)]);
         renderer.write(lane, "most", std::ranges::max(counts));
         renderer.write(lane, "polygons_at", kDatabaseAt);
+        renderer.write(lane, "homes_end", kDatabaseEnd);
         renderer.write(lane, "source_at", kSourceAt);
         renderer.write(lane, "source_end", kReceiveAt);
         renderer.write(lane, "receive_at", kReceiveAt);

@@ -78,7 +78,7 @@ class VliwRenderer {
     isa::vliw::Interpreter machine_;
     bool line_locked_;
     int phase_ = 0;
-    std::array<std::int64_t, 6> bundles_{};
+    std::array<std::int64_t, 7> bundles_{};
     std::int64_t scanlines_ = 0;
     std::int64_t cycles_ = 0;  // of the present scanline
     std::int64_t longest_ = 0;
