@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -19,6 +20,8 @@ constexpr std::uint32_t kDatabaseEnd = 0x8000;
 constexpr int kFocal = 11200;
 constexpr int kNear = 4097;
 constexpr int kOne = 1 << 14;  // s1.14
+constexpr int kNearest = 5000;
+constexpr int kDepth = 9000;
 constexpr int kTexelColumns = 256;
 constexpr int kTexelRows = 129;
 
@@ -48,7 +51,7 @@ int area(const std::array<Place, 3>& p) {
 std::array<Place, 3> triangle(Random& random, int size, ScreenSize screen) {
     const int x = 16 * random.below(screen.columns);
     const int y = 16 * random.below(screen.rows);
-    const int z = 5000 + random.below(9000);
+    const int z = kNearest + random.below(kDepth);
     std::array<Place, 3> places;
     do {
         for (Place& place : places) {
@@ -103,8 +106,6 @@ void write_tables(VliwRenderer& renderer, int lane) {
 }
 
 void write_view(VliwRenderer& renderer, int lane) {
-    const Words matrix = {kOne, 0, 0, 0, kOne, 0, 0, 0, kOne, 0, 0, 0};
-    renderer.write(lane, renderer.symbol("matrix"), matrix);
     renderer.write(lane, "focal", kFocal);
     renderer.write(lane, "near", kNear);
     renderer.write(lane, "ambient", 20);
@@ -169,7 +170,30 @@ VliwRenderer chain_of(std::string_view file, const std::vector<ScenePolygon>& sc
         write_view(renderer, lane);
         write_tables(renderer, lane);
     }
+    turn_scene(renderer, 0);
     return renderer;
+}
+
+void turn_scene(VliwRenderer& renderer, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const double middle = kNearest + kDepth / 2.0;
+    const std::uint16_t cosine = word(std::lround(std::cos(angle) * kOne));
+    const double sine = std::sin(angle);
+    const Words matrix = {cosine,
+                          0,
+                          word(std::lround(sine * kOne)),
+                          0,
+                          kOne,
+                          0,
+                          word(std::lround(-sine * kOne)),
+                          0,
+                          cosine,
+                          word(std::lround(-sine * middle)),
+                          0,
+                          word(std::lround(middle * (1 - std::cos(angle))))};
+    for (std::int64_t lane = 0; lane < renderer.lanes(); ++lane) {
+        renderer.write(lane, renderer.symbol("matrix"), matrix);
+    }
 }
 
 ScreenPicture shown_picture(const VliwRenderer& renderer, ScreenSize screen) {

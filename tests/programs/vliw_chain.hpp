@@ -33,6 +33,9 @@ std::vector<ScenePolygon> mixed_scene();
 VliwRenderer chain_of(std::string_view file, const std::vector<ScenePolygon>& scene,
                       Defines options, int lanes, Form form = Form::packed, ScreenSize screen = {});
 
+// Turns the scene as a whole about the vertical axis through its middle, from how it was at first.
+void turn_scene(VliwRenderer& renderer, double degrees);
+
 // Of a renderer that has frame buffers: the picture shown.
 ScreenPicture shown_picture(const VliwRenderer& renderer, ScreenSize screen = {});
 // Of one that composites, by the rule of composite.s.
