@@ -5,6 +5,7 @@
 #include "programs/vliw_chain.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -198,6 +199,30 @@ TEST(VliwSortFirstPasses, AreTheWidthsOnlyWhereNothingMoves) {
     EXPECT_EQ(passes(renderer, "migration_passes"), 0);
     EXPECT_EQ(passes(without, "near_passes"), first);
     EXPECT_LT(2 * passes(renderer, "near_passes"), first);
+}
+
+TEST(VliwSortFirstPasses, AreNoneWhereNothingIsVisible) {
+    VliwRenderer renderer = sort_first(random_scene(100, 30, 8), {});
+    for (int lane = 0; lane < 48; ++lane) {
+        renderer.write(lane, "near", 0x7fff);
+    }
+    ASSERT_FALSE(renderer.run());
+    EXPECT_EQ(passes(renderer, "near_passes"), 0);
+    EXPECT_EQ(passes(renderer, "migration_passes"), 0);
+}
+
+TEST(VliwSortFirstPasses, BringAHomeTheShorterWay) {
+    VliwRenderer renderer = sort_first(random_scene(1, 12, 11), {});
+    ASSERT_FALSE(renderer.run());
+    const auto home = [&] { return homes_of(renderer).at(0); };
+    for (const double degrees : {0.2, -0.2, 0.2}) {
+        const int before = home().lane;
+        turn_scene(renderer, degrees);
+        ASSERT_FALSE(renderer.run());
+        EXPECT_NE(home().lane, before);
+        EXPECT_EQ(passes(renderer, "migration_passes"), std::abs(home().lane - before));
+        EXPECT_EQ(passes(renderer, "near_passes"), home().right - home().left);
+    }
 }
 
 TEST(VliwSortFirstPasses, AreTheSamePackedAndAsWritten) {
