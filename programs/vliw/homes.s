@@ -29,6 +29,14 @@ kListed         = 100                   ; homes listed on a scanline
 kWalked         = 20                    ; homes visited on a scanline
 kColumnsALine   = 4                     ; polygons looked at on a scanline
 
+; d := the lesser of d and n, whose difference fits a word. t, u: spoilt.
+        .macro  lesser d, n, t, u
+        sub     t, d, n
+        mul     u, t, #1, 15
+        and     t, t, u
+        add     d, n, t
+        .endm
+
 start_homes:
         setp    list_homes
         line
@@ -105,10 +113,7 @@ find_columns:
         sub     r2, r2, #1
         positive r11, r11, r3
         at_most r12, r12, screen_columns-1, r4
-        sub     r5, r12, r2             ; the lesser of this and the last lane
-        mul     r6, r5, #1, 15
-        and     r5, r5, r6
-        add     r12, r2, r5
+        lesser  r12, r2, r5, r6
         sub     r1, r1, #1
         or      r12, r12, r1
         st      r11, h_left(r28)

@@ -1,6 +1,7 @@
 ; SPDX-License-Identifier: MIT
 ; Migration (Eldridge 1995, 5.5): every visible polygon's only copy moves to the lane of the left column of its box, the shorter way round, by passes
-; of 1 place to the right, then by others to the left. Polygons that are not visible stay. This goes before distribution, by the boxes of the
+; of 1 place to the right, then by others to the left. Polygons that are not visible stay; migrate 2: they move as well, with the left column of what
+; they would cover (or the last lane), so that they are not far from where they come into sight. This goes before distribution, by the boxes of the
 ; picture to come: copies are passed to the right only, and what has moved to the left since would otherwise have to go round the ring.
 ;
 ; A lane that has no room lets a polygon pass: it goes on until some lane has. To the right first: so what had no room goes back by the second
@@ -40,10 +41,18 @@ leave_'way:
         begin_walk
 leave_'way'_loop:
         look_home
+        .if gt migrate-1
+        sub     r21, ring, #1
+        lesser  first, r21, r17, r18
+        distance r16, first, r17
+        sub     r18, ring, r16
+        tlt     r0, r16
+        .else
         distance r16, first, r17
         sub     r18, ring, r16
         tge     last, first
         tlt.and r0, r16
+        .endc
         .if idn way, right
         tge.and r18, r16
         tget    r19

@@ -8,7 +8,7 @@
         .iif ndf decoupled, decoupled = 1
         .iif ndf deferred, deferred = 0         ; 1: colours only where pictures are composited, see shade.s
         .iif ndf video, video = 1               ; 0: the picture ends elsewhere than in frame buffers
-        .iif ndf migrate, migrate = 1           ; sort-first: polygons go to where they are on the screen, see migrate.s
+        .iif ndf migrate, migrate = 1           ; sort-first, see migrate.s: polygons go to where they are on the screen; 2: hidden ones, too
         .if ndf samples                         ; rows between two looks for the next polygon
         .if ne textured&<1-deferred>
 samples = 4

@@ -133,6 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, VliwSortFirst,
                                            Case{60, {{"migrate", 0}}},
                                            Case{48, {}, Form::as_written},
                                            Case{48, {{"textured", 1}}},
+                                           Case{48, {{"migrate", 2}, {"line_locked", 1}}},
                                            Case{48, {{"line_locked", 1}}},
                                            Case{48, {{"line_locked", 1}, {"migrate", 0}}},
                                            Case{48, {{"line_locked", 1}, {"textured", 1}}}));
@@ -140,6 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, VliwSortFirst,
 // 72 polygons on 48 lanes, or on 36: every place is taken.
 INSTANTIATE_TEST_SUITE_P(FullHomes, VliwSortFirst,
                          ::testing::Values(Case{48, {}, Form::packed, 2},
+                                           Case{48, {{"migrate", 2}}, Form::packed, 2},
                                            Case{48, {{"line_locked", 1}}, Form::packed, 2},
                                            Case{72, {}, Form::packed, 1},
                                            Case{48, {}, Form::packed, 5}));
@@ -162,6 +164,17 @@ TEST(VliwSortFirstHomes, MoveToTheLeftColumnIfTheyAreVisibleAndStayOtherwise) {
         }
         EXPECT_TRUE(frame == 0 || stayed > 0);
         before = after;
+    }
+}
+
+TEST(VliwSortFirstHomes, MoveAllWithWhatTheyWouldCoverIfHiddenOnesAreToo) {
+    VliwRenderer renderer = sort_first(random_scene(200, 12, 3), {48, {{"migrate", 2}}});
+    for (int frame = 0; frame < kFrames; ++frame) {
+        turn_scene(renderer, frame * kDegrees);
+        ASSERT_FALSE(renderer.run());
+        for (const Placed& home : homes_of(renderer)) {
+            EXPECT_EQ(home.lane, std::min(home.left, 47));
+        }
     }
 }
 
