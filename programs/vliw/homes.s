@@ -12,6 +12,13 @@
 
         .include "pass.s"
 
+        .if ne <duplication-1>!<stride-1>
+        .error  sort-first knows neither duplication nor strides
+        .endc
+        .if gt migrate-2
+        .error  migrate must be 0, 1 or 2
+        .endc
+
 h_left      = 24        ; columns, within the screen and the ring
 h_right     = 25        ; less than h_left: nowhere to be seen
 h_passes    = 26        ; passes to go

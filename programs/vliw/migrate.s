@@ -4,9 +4,8 @@
 ; they would cover (or the last lane), so that they are not far from where they come into sight. This goes before distribution, by the boxes of the
 ; picture to come: copies are passed to the right only, and what has moved to the left since would otherwise have to go round the ring.
 ;
-; A lane that has no room lets a polygon pass: it goes on until some lane has. To the right first: so what had no room goes back by the second
-; round and ends on the left side of its column if there is any room, from where copies have not far to go. Homes are as many as places but one on
-; each lane, so everybody finds one.
+; A lane that has no room lets a polygon pass: it goes on until some lane has, which there is, because at first all were at home. To the right first:
+; so what had no room turns back in the second round and ends to the left of its column, from where copies have not far to go.
 ;
 ; A polygon under way is in the first of the lane's free homes. Those that are to leave hold theirs until they do; then it is the first free one, and
 ; what comes in the same pass may lie there. Memory, counter: see pass.s. Passes are counted in migration_passes.

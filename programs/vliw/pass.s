@@ -7,8 +7,8 @@
 ; d_passes (h_passes) says how far a record has still to go: the passes to its last destination. Nobody needs it if there are none;
 ; such a one arrives with -1, a record that has come to its last destination with 0.
 ;
-; Of a record of kind `record` macros and symbols tell, descriptors' below: `record'_passes; take_`record' puts the lane's next own into the slot,
-; pass_`record' passes it, with first, last and to_go read on the way.
+; A kind of record is a letter: d for descriptors, h for homes. take_d puts the lane's next own into the slot, pass_d passes it, with first, last and
+; to_go read on the way; d_passes is its word.
 ; Memory: link_*. Counter: c2.
 
 link_slot   = other_scratch         ; the record to be passed on

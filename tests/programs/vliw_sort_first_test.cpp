@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace rasterloom::test {
 namespace {
@@ -282,6 +284,21 @@ TEST(VliwSortFirstErrors, TellWhatIsFull) {
     EXPECT_EQ(shortened("source_end", "source_at", 3 * 42), 1);
     EXPECT_EQ(shortened("receive_end", "receive_at", 3 * 27), 2);
     EXPECT_EQ(shortened("homes_end", "polygons_at", 2 * 27), 5);
+}
+
+TEST(VliwSortFirstErrors, NameOptionsThatCannotBe) {
+    const auto complaint = [](const Defines& options) -> std::string {
+        try {
+            sort_first({}, {1, options});
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string knows = "sort-first knows neither duplication nor strides";
+    EXPECT_THAT(complaint({{"duplication", 2}}), ::testing::HasSubstr(knows));
+    EXPECT_THAT(complaint({{"stride", 8}}), ::testing::HasSubstr(knows));
+    EXPECT_THAT(complaint({{"migrate", 3}}), ::testing::HasSubstr("migrate must be 0, 1 or 2"));
 }
 
 TEST(VliwSortFirstErrors, LeaveAnEmptyRingAlone) {
