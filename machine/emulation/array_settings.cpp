@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/array_settings.hpp"
 
+#include "machine/emulation/princeton_screen.hpp"
 #include "machine/emulation/programs.hpp"
 
 #include <algorithm>
@@ -32,13 +33,34 @@ void check_multiple(const Blueprint& blueprint, const std::string& symbol) {
     }
 }
 
+// Renderers have signed words for places on the ring.
+void check_ring(const Blueprint& blueprint) {
+    const auto lanes = static_cast<std::int64_t>(blueprint.topology.nodes.size());
+    if (const auto most = blueprint.image->symbol("most_lanes"); most && lanes > *most) {
+        throw blueprint.description.error("topology.nodes", std::to_string(lanes),
+                                          "too many lanes for the program",
+                                          fmt::format("1 to {}", *most));
+    }
+}
+
+// A lane of a renderer that has frame buffers draws a column; what comes as fragments needs lanes
+// even for columns that are not seen.
 void check_screen(const Blueprint& blueprint) {
     const MachineDescription& machine = blueprint.description;
+    const isa::Image& image = *blueprint.image;
     const auto lanes = static_cast<std::int64_t>(blueprint.topology.nodes.size());
-    if (machine.screen.width > lanes && blueprint.image->symbol("column")) {
-        throw machine.error("screen.width", std::to_string(machine.screen.width),
-                            "each lane of this program draws a column",
-                            fmt::format("at most {}, the lanes", lanes));
+    if (has_frame_buffers(image) && image.symbol("column")) {
+        if (machine.screen.width > lanes) {
+            throw machine.error("screen.width", std::to_string(machine.screen.width),
+                                "each lane of this program draws a column",
+                                fmt::format("at most {}, the lanes", lanes));
+        }
+        const std::int64_t columns = image.symbol("screen_columns").value_or(0);
+        if (image.symbol("fragments").value_or(0) != 0 && columns > lanes) {
+            throw machine.error("topology.nodes", std::to_string(lanes),
+                                "the lanes are fewer than the columns of the program's screen",
+                                fmt::format("at least {}", columns));
+        }
     }
     if (machine.array.line_locked && machine.screen.height > machine.array.visible_lines) {
         throw machine.error(
@@ -68,6 +90,7 @@ void check_array(const Blueprint& blueprint) {
         throw machine.error("topology.nodes", std::to_string(topology.nodes.size()),
                             "too many lanes", fmt::format("1 to {}", kMaxLanes));
     }
+    check_ring(blueprint);
     check_multiple(blueprint, "stride");
     check_multiple(blueprint, "group");
     if (machine.scene) {

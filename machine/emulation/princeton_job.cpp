@@ -39,6 +39,17 @@ host::Picture upper_left(const host::Picture& whole, const config::ScreenDescrip
     return part;
 }
 
+// What a renderer's symbols do not allow, as the configuration's error.
+template <typename Action>
+auto by_symbols(const MachineDescription& description, const Action& action) {
+    try {
+        return action();
+    } catch (const std::invalid_argument& problem) {
+        throw description.error("nodes.program", {}, problem.what(),
+                                "a program that draws, such as vliw/sort_middle.s");
+    }
+}
+
 class PrincetonJob final : public HostJob {
   public:
     explicit PrincetonJob(const Blueprint& blueprint)
@@ -46,28 +57,19 @@ class PrincetonJob final : public HostJob {
           image_(*blueprint.image),
           scene_(make_princeton_scene(description_)),
           lights_(host::make_lights(description_.scene->light)),
-          distance_(host::fitting_distance(scene_, description_.scene->rotate.axis)),
-          columns_(columns_as_lanes(static_cast<std::int64_t>(blueprint.topology.nodes.size()))) {
-        if (description_.screen.width > kPrincetonColumns) {
-            throw description_.error("screen.width", std::to_string(description_.screen.width),
-                                     "the program's screen is smaller",
-                                     fmt::format("at most {}", kPrincetonColumns));
-        }
-        if (description_.screen.height > kPrincetonRows) {
-            throw description_.error("screen.height", std::to_string(description_.screen.height),
-                                     "the program's screen is smaller",
-                                     fmt::format("at most {}", kPrincetonRows));
-        }
+          view_(by_symbols(description_, [&] { return program_view(image_); })),
+          distance_(host::fitting_distance(scene_, description_.scene->rotate.axis, view_)),
+          columns_(columns_as_lanes(static_cast<std::int64_t>(blueprint.topology.nodes.size()),
+                                    view_.width)) {
+        check_screen("screen.width", description_.screen.width, view_.width);
+        check_screen("screen.height", description_.screen.height, view_.height);
     }
 
     void load(Machine& machine) override {
         LockstepMachine& lockstep = *machine.lockstep();
-        try {
+        by_symbols(description_, [&] {
             load_princeton(lockstep.array(), image_, scene_, view_at(0), lights_, columns_);
-        } catch (const std::invalid_argument& problem) {
-            throw description_.error("nodes.program", {}, problem.what(),
-                                     "a program that draws, such as vliw/sort_middle.s");
-        }
+        });
         send(lockstep, 1);
     }
 
@@ -88,7 +90,7 @@ class PrincetonJob final : public HostJob {
 
     std::optional<host::Picture> video(const Machine& machine) const override {
         const LockstepMachine& lockstep = *machine.lockstep();
-        if (!lockstep.settings().line_locked) {
+        if (!lockstep.settings().line_locked || !has_frame_buffers(image_)) {
             return std::nullopt;
         }
         host::Picture picture(static_cast<int>(description_.screen.width),
@@ -120,11 +122,18 @@ class PrincetonJob final : public HostJob {
     }
 
   private:
+    void check_screen(const char* key, std::int64_t asked, int most) const {
+        if (asked > most) {
+            throw description_.error(key, std::to_string(asked), "the program's screen is smaller",
+                                     fmt::format("at most {}", most));
+        }
+    }
+
     host::TriangleView view_at(std::int64_t frame) const {
         const config::RotationDescription& rotate = description_.scene->rotate;
         host::View turn = make_view(description_);
         turn.degrees = rotate.start + static_cast<double>(frame) * rotate.degrees;
-        host::TriangleView view;
+        host::TriangleView view = view_;
         view.matrix = host::eye_matrix(host::rotation_of(turn), {0, 0, distance_});
         return view;
     }
@@ -141,6 +150,7 @@ class PrincetonJob final : public HostJob {
     const isa::Image& image_;
     host::TriangleScene scene_;
     host::TriangleLights lights_;
+    host::TriangleView view_;  // without a matrix
     int distance_;
     ColumnMap columns_;
 };

@@ -31,6 +31,7 @@ class Loader {
           image_(image),
           copies_(image.symbol("duplication").value_or(1)),
           has_two_rounds_(image.symbol("stride").value_or(1) > 1),
+          sends_nothing_(image.symbol("group").value_or(0) == 1),
           room_(static_cast<std::int64_t>(at("scratch_end"))),
           descriptor_(static_cast<std::int64_t>(at("kDescriptor"))) {
         if (array.lanes() % copies_ != 0)
@@ -48,6 +49,8 @@ class Loader {
         array_.set_layout(static_cast<std::uint32_t>(room_),
                           static_cast<std::uint32_t>(kRoomEnd - room_), LaneLayout::along);
         array_.set_layout(at("reciprocals"), kRoomEnd, LaneLayout::shared);
+        if (image_.symbol("kRegion"))
+            lay_out_region();
     }
 
     void load_tables() {
@@ -129,6 +132,19 @@ class Loader {
         return static_cast<std::uint16_t>(value & 0xffff);
     }
 
+    // Lists in bank 0, as long on each lane as it will, and a word of each pixel in every other
+    // bank; what is composited goes to the same place on all lanes.
+    void lay_out_region() {
+        const std::uint32_t lists = at("wanted");
+        const std::uint32_t gathered = at("kGathered");
+        const std::uint32_t end = at("kGatheredEnd");
+        array_.set_layout(slow_word(0, 0) + lists, gathered - lists, LaneLayout::along);
+        array_.set_layout(slow_word(0, 0) + gathered, end - gathered,
+                          has_frame_buffers(image_) ? LaneLayout::along : LaneLayout::across);
+        for (int word = 0; word < static_cast<int>(at("kPixel")); ++word)
+            array_.set_layout(slow_word(word + 1, 0), isa::vliw::kBankWords, LaneLayout::along);
+    }
+
     void set(std::string_view symbol, std::int64_t value, std::uint32_t offset = 0) {
         array_.write_all(at(symbol) + offset, std::array{word(symbol, value)});
     }
@@ -150,11 +166,16 @@ class Loader {
                                 : fmt::format("not even {} lanes would do", kMostLanes)));
     }
 
+    std::int64_t sent_of(std::int64_t half, std::int64_t most) const {
+        if (sends_nothing_)
+            return 2 * half;
+        return has_two_rounds_ ? half : std::min(half, most);
+    }
+
     void divide_rest(std::int64_t most) {
         const std::int64_t begin = room_ + most * host::kTriangleWords;
         const std::int64_t half = (kRoomEnd - begin) / 2 / descriptor_;  // descriptors
-        const std::int64_t sent = has_two_rounds_ ? half : std::min(half, most);
-        const std::int64_t middle = begin + sent * descriptor_;
+        const std::int64_t middle = begin + sent_of(half, most) * descriptor_;
         set("source_at", begin);
         set("source_end", middle);
         set("receive_at", middle);
@@ -165,52 +186,25 @@ class Loader {
     const isa::Image& image_;
     std::int64_t copies_;
     bool has_two_rounds_;
+    bool sends_nothing_;
     std::int64_t room_;        // its first word
     std::int64_t descriptor_;  // words
 };
 
-void check_columns(const ColumnMap& columns, std::int64_t lanes) {
-    if (static_cast<std::int64_t>(columns.size()) != lanes)
-        throw std::invalid_argument(
-            fmt::format("a screen map of {} lanes, expected {}", columns.size(), lanes));
-    const auto width = static_cast<std::size_t>(std::min<std::int64_t>(lanes, kPrincetonColumns));
-    std::vector<int> owners(width, 0);
-    for (std::size_t lane = 0; lane < columns.size(); ++lane)
-        if (const auto column = columns[lane]) {
-            if (*column >= width)
-                throw std::invalid_argument(
-                    fmt::format("the screen map gives column {} to lane {}, expected 0 to {}",
-                                *column, lane, width - 1));
-            ++owners[*column];
-        }
-    for (std::size_t column = 0; column < width; ++column)
-        if (owners[column] != 1)
-            throw std::invalid_argument(
-                fmt::format("the screen map gives column {} to {} lanes, expected one", column,
-                            owners[column]));
-}
-
 }  // namespace
-
-ColumnMap columns_as_lanes(std::int64_t lanes) {
-    ColumnMap columns(static_cast<std::size_t>(lanes));
-    const auto width = static_cast<std::size_t>(std::min<std::int64_t>(lanes, kPrincetonColumns));
-    for (std::size_t lane = 0; lane < width; ++lane)
-        columns[lane] = static_cast<std::uint16_t>(lane);
-    return columns;
-}
 
 void load_princeton(LockstepArray& array, const isa::Image& image, const host::TriangleScene& scene,
                     const host::TriangleView& view, const host::TriangleLights& lights,
                     const ColumnMap& columns) {
-    check_columns(columns, array.lanes());
+    const host::TriangleView screen = program_view(image);
+    check_columns(columns, array.lanes(), screen.width);
     if (scene.textures.size() > 1)
         throw std::invalid_argument(
             fmt::format("{} textures, expected one at most", scene.textures.size()));
-    if (view.width != kPrincetonColumns || view.height != kPrincetonRows)
+    if (view.width != screen.width || view.height != screen.height)
         throw std::invalid_argument(fmt::format("a view of {} x {} pixels, expected {} x {}",
-                                                view.width, view.height, kPrincetonColumns,
-                                                kPrincetonRows));
+                                                view.width, view.height, screen.width,
+                                                screen.height));
     Loader loader(array, image);
     loader.lay_out();
     loader.load_tables();

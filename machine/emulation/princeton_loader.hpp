@@ -4,36 +4,26 @@
 #pragma once
 
 #include "isa/image.hpp"
+#include "machine/emulation/princeton_screen.hpp"
 #include "machine/host/triangle_scene.hpp"
 #include "machine/host/triangle_view.hpp"
 #include "machine/node/lockstep/lockstep_array.hpp"
 
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <vector>
 
 namespace rasterloom {
-
-inline constexpr int kPrincetonColumns = 768;  // of the screen; its rows are 512
-inline constexpr int kPrincetonRows = 512;
-
-// [lane]: the column of the screen that it draws, if any.
-using ColumnMap = std::vector<std::optional<std::uint16_t>>;
-
-// Lane i draws column i.
-ColumnMap columns_as_lanes(std::int64_t lanes);
 
 // Before the first frame; the array holds nothing but zeros. Polygon b goes to lane b mod n; where
 // the program's `duplication` is m, to all lanes that are b modulo n/m. What the database leaves of
 // a lane's memory is room for descriptors: as many to be sent as the lane has polygons (half of the
-// room at most; with `stride` above 1 exactly half, since then they are received there, too), the
-// rest to be received.
+// room at most; with `stride` above 1 exactly half, since then they are received there, too; in a
+// `group` of 1, where nothing is received, all of it), the rest to be received.
 //
 // Throws std::invalid_argument, naming the cause and what was expected: a symbol that the image
 // lacks, more polygons than fit (with the lanes that would do), lanes that are no multiple of the
-// copies, more than one texture, a map that leaves out one of the screen's columns or has one twice
-// (on fewer than 768 lanes the screen has as many columns as lanes), values that are no words.
+// copies, more than one texture, a view of another screen than the program's, a map that leaves out
+// a column or has one twice (check_columns), values that are no words.
 void load_princeton(LockstepArray& array, const isa::Image& image, const host::TriangleScene& scene,
                     const host::TriangleView& view, const host::TriangleLights& lights,
                     const ColumnMap& columns);

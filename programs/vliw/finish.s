@@ -7,6 +7,11 @@
 clear_at    = other_scratch+48          ; first word that is still to be cleared
 kFrame      = kRows*kPixel
 kCleared    = 96                        ; words at once
+        .if ne video
+        .if ne screen_rows&63
+        .error  screen_rows must be a multiple of 64 where there are frame buffers
+        .endc
+        .endc
 
         .macro  begin_geometry
         phase   1

@@ -5,6 +5,12 @@
 ; The screen. At most 768 columns and 512 rows; rows of renderers that have frame buffers: a multiple of 64
         .iif ndf screen_columns, screen_columns = 768
         .iif ndf screen_rows, screen_rows = 512
+        .if lt <768-screen_columns>!<screen_columns-1>
+        .error  screen_columns must be 1 to 768
+        .endc
+        .if lt <512-screen_rows>!<screen_rows-1>
+        .error  screen_rows must be 1 to 512
+        .endc
 ;
         .iif ndf sort_first, sort_first = 0     ; 1: polygons go to the lanes of their columns first, geometry is done there
 ;
@@ -22,6 +28,7 @@ receive_end = 0x07
 most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
 error       = 0x09      ; 0, or why the program halted: error_name_* below
 lanes       = 0x0a      ; lanes on the ring (the same on all)
+most_lanes  = 32767     ; ... at most
 homes_end   = 0x0b      ; sort-first: first word behind the room for the database, one polygon more than the lane may ever hold
 ;
 ; What the machine's records call phases (`phase n`) and what `error` says

@@ -18,6 +18,9 @@ kGatheredEnd = 0x10000
         .if gt stride-1
         .error  stride is an option of sort-middle: a group is the distance here
         .endc
+        .if df duplication
+        .error  duplication is an option of sort-middle
+        .endc
         .if lt 1023-group*<group-1>
         .error  group must be 1 to 1023, the longest shift
         .endc

@@ -35,8 +35,10 @@ class PrincetonLanes {
 
     void load(const host::TriangleScene& scene, const host::TriangleView& view = {},
               const host::TriangleLights& lights = {}) {
-        load_princeton(array_, image_, scene, view, lights, columns_as_lanes(array_.lanes()));
+        load_princeton(array_, image_, scene, view, lights, columns());
     }
+
+    ColumnMap columns() const { return columns_as_lanes(array_.lanes(), at("screen_columns")); }
 
     LockstepArray& array() { return array_; }
     const isa::Image& image() const { return image_; }
