@@ -139,10 +139,9 @@ class Loader {
         const std::uint32_t gathered = at("kGathered");
         const std::uint32_t end = at("kGatheredEnd");
         array_.set_layout(slow_word(0, 0) + lists, gathered - lists, LaneLayout::along);
-        array_.set_layout(slow_word(0, 0) + gathered, end - gathered,
-                          has_frame_buffers(image_) ? LaneLayout::along : LaneLayout::across);
+        array_.set_layout(slow_word(0, 0) + gathered, end - gathered, LaneLayout::across);
         for (int word = 0; word < static_cast<int>(at("kPixel")); ++word)
-            array_.set_layout(slow_word(word + 1, 0), isa::vliw::kBankWords, LaneLayout::along);
+            array_.set_layout(slow_word(word + 1, 0), isa::vliw::kBankWords, LaneLayout::across);
     }
 
     void set(std::string_view symbol, std::int64_t value, std::uint32_t offset = 0) {
