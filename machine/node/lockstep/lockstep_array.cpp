@@ -44,14 +44,14 @@ class LockstepArray::Engine {
     Engine(std::shared_ptr<const isa::vliw::Program> of, const Settings& settings)
         : program(std::move(of)),
           lanes(checked(settings, *program).lanes),
-          translation(*program, lockstep::LaneState::width_for(settings.lanes)),
           transfers(lockstep::find_transfers(*program)),
+          translation(*program, transfers, lockstep::LaneState::width_for(settings.lanes)),
           // A thread without a block would only be waited for.
           members(std::min(settings.threads, static_cast<int>(lanes.blocks.size()))),
           meeting(members),
           crew(members, [this](int member) { run_member(member); }) {
         if (!transfers.empty()) {
-            lanes.laid_out.resize(lanes.ring.size() * lockstep::kMaxTransferSlots);
+            lanes.reserve_laid_out(lanes.ring.size() * lockstep::kMaxTransferWords);
         }
         const auto count = static_cast<std::size_t>(members);
         for (std::size_t i = 0; i < count; ++i) {
@@ -82,8 +82,8 @@ class LockstepArray::Engine {
 
     std::shared_ptr<const isa::vliw::Program> program;
     lockstep::LaneState lanes;
-    lockstep::Translation translation;
     std::vector<lockstep::Transfer> transfers;
+    lockstep::Translation translation;
     int members;
     lockstep::Meeting meeting;
     std::vector<lockstep::Sequencer> sequencers;

@@ -4,6 +4,7 @@
 #include "machine/node/lockstep/broadcast.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -76,11 +77,12 @@ Sequencer::Stop Sequencer::run_to_stop(std::int64_t end) {
         if (at >= translation_->bundles()) {
             return trap_for(fmt::format("no bundle at address {}", at));
         }
+        if (const Transfer* transfer = transfer_at(at, end);
+            transfer != nullptr && hand_on(*transfer)) {
+            continue;
+        }
         if (const std::uint32_t plain = translation_->plain_end(at); plain > at) {
             run_plain(plain, end);
-        } else if (const Transfer* transfer = transfer_at(at, end);
-                   transfer != nullptr && hand_on(*transfer)) {
-            continue;
         } else if (auto stop = step(program_->bundles[at])) {
             return *stop;
         }
@@ -247,24 +249,25 @@ const Transfer* Sequencer::transfer_at(std::uint32_t bundle, std::int64_t end) c
 
 bool Sequencer::hand_on(const Transfer& transfer) {
     compute_lanes();
-    bool can = true;
+    bool can = std::abs(transfer.distance) < lanes_->lanes();
     for (LaneBlock& block : blocks_) {
         kernels().full[kCloseLine](block, {});
         can = can && can_transfer(block, transfer);
+    }
+    // Two places: one member may lay out the next words while another still takes these.
+    const std::span<std::uint16_t> laid_out = lanes_->laid_out(transfers_done_++ % 2);
+    if (can) {
+        lay_out(blocks_, transfer, laid_out);
     }
     const std::uint32_t answer = meeting_->exchange(member_, can ? 0 : kNoTransfer);
     ring_use_ = RingUse::none;
     if ((answer & kNoTransfer) != 0) {
         return false;
     }
-    const std::size_t put_offset = offset_after(transfer.shift_before_put);
-    for (LaneBlock& block : blocks_) {
-        lay_out(block, transfer, lanes_->laid_out, put_offset);
-    }
-    meeting_->exchange(member_, 0);
-    for (LaneBlock& block : blocks_) {
-        take_over(block, transfer, lanes_->laid_out);
-    }
+    ring_use_ = RingUse::written;
+    ring_use_offset_ = offset_after(transfer.shift_before_put);
+    take_over(blocks_, transfer, laid_out, ring_use_offset_);
+    add(translation_->first_work(transfer), translation_->end_work(transfer));
     count(transfer.first_bundle, transfer.end_bundle);
     shift(transfer.shift);
     state_.program_counter = static_cast<std::uint16_t>(transfer.end_bundle);

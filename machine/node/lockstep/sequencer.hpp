@@ -87,6 +87,7 @@ class Sequencer {
     std::vector<Piece> pieces_;
     RingUse ring_use_ = RingUse::none;  // by pieces on the list, or since the latest meeting
     std::size_t ring_use_offset_ = 0;
+    std::size_t transfers_done_ = 0;     // or tried
     std::vector<std::int64_t> entries_;  // into bundles by address, less exits before them
 };
 

@@ -4,6 +4,8 @@
 #include "machine/node/lockstep/kernels.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <cstring>
 
 namespace rasterloom::lockstep {
@@ -28,12 +30,13 @@ void copy(std::uint16_t* to, const std::uint16_t* from, int count) {
 class Pointers {
   public:
     Pointers(const LaneBlock& block, int base, std::uint32_t bank, const Transfer& transfer)
-        : row_(block.row(base)),
-          region_(&block.parts->memory->region(bank + row_[0] +
-                                               static_cast<std::uint32_t>(transfer.first_offset))),
-          stride_(region_->view().lane_stride),
-          words_(region_->view().words + block.index * region_->view().block_stride),
-          back_(static_cast<std::ptrdiff_t>(region_->first()) - bank) {}
+        : row_(block.row(base)) {
+        const MemoryRegion& region = block.parts->memory->region(
+            bank + row_[0] + static_cast<std::uint32_t>(transfer.first_offset));
+        stride_ = region.view().lane_stride;
+        words_ = region.view().words + block.index * region.view().block_stride;
+        back_ = static_cast<std::ptrdiff_t>(region.first()) - bank;
+    }
 
     std::uint16_t* operator()(std::size_t lane, int offset) const {
         return words_ + (static_cast<std::ptrdiff_t>(lane * stride_) + row_[lane] + offset - back_);
@@ -41,11 +44,17 @@ class Pointers {
 
   private:
     const std::uint16_t* row_;
-    const MemoryRegion* region_;
-    std::size_t stride_;
-    std::uint16_t* words_;
-    std::ptrdiff_t back_;
+    std::size_t stride_ = 0;
+    std::uint16_t* words_ = nullptr;
+    std::ptrdiff_t back_ = 0;
 };
+
+Pointers load_pointers(const LaneBlock& block, const Transfer& transfer) {
+    return {block, transfer.load_base, transfer.load_bank, transfer};
+}
+Pointers store_pointers(const LaneBlock& block, const Transfer& transfer) {
+    return {block, transfer.store_base, transfer.store_bank, transfer};
+}
 
 bool lies_along(const LaneBlock& block, std::uint32_t bank, PointerRange range,
                 const Transfer& transfer) {
@@ -70,89 +79,227 @@ bool can_transfer(LaneBlock& block, const Transfer& transfer) {
            (transfer.load_bank != transfer.store_bank || check.nearest > span);
 }
 
-void lay_out(LaneBlock& block, const Transfer& transfer, std::span<std::uint16_t> laid_out,
-             std::size_t ring_offset) {
-    const std::size_t first_lane = block.index * block.width;
-    std::uint16_t* const records = laid_out.data() + first_lane * kMaxTransferSlots;
-    const Pointers from(block, transfer.load_base, transfer.load_bank, transfer);
-    for (const TransferRun& run : transfer.loads) {
-        std::uint16_t* to = records + run.slot;
-        for (std::size_t lane = 0; lane < block.lanes; ++lane, to += kMaxTransferSlots) {
-            copy(to, from(lane, run.offset), run.count);
-        }
-    }
-    for (const Transfer::Word& word : transfer.laid_registers) {
-        const std::uint16_t* const row = block.row(word.reg);
-        std::uint16_t* to = records + word.slot;
-        for (std::size_t lane = 0; lane < block.lanes; ++lane, to += kMaxTransferSlots) {
-            *to = row[lane];
-        }
-    }
-    auto& ring = *block.parts->ring;
-    const std::uint16_t* put = records + transfer.last_put;
-    std::size_t place = (ring_offset + first_lane) % ring.size();
-    for (std::size_t lane = 0; lane < block.lanes; ++lane, put += kMaxTransferSlots) {
-        ring[place] = *put;
-        place = place + 1 == ring.size() ? 0 : place + 1;
-    }
-}
-
 namespace {
 
-// do_lanes(lane, record, lanes) for the block's lanes in one or more stretches, in each of which
-// the records of the lanes `distance` to the left lie side by side.
-template <class DoLanes>
-void each_stretch(const LaneBlock& block, std::span<const std::uint16_t> laid_out,
-                  std::int64_t distance, DoLanes do_lanes) {
-    const auto ring = static_cast<std::int64_t>(block.parts->ring->size());
-    const auto first = static_cast<std::int64_t>(block.index * block.width);
-    auto neighbour = static_cast<std::size_t>(((first - distance) % ring + ring) % ring);
-    for (std::size_t lane = 0; lane < block.lanes;) {
-        const std::size_t lanes =
-            std::min(block.lanes - lane, static_cast<std::size_t>(ring) - neighbour);
-        do_lanes(lane, laid_out.data() + neighbour * kMaxTransferSlots, lanes);
-        lane += lanes;
-        neighbour = 0;
-    }
-}
+using Source = Transfer::Source;
 
-void fill_registers(const LaneBlock& block, std::span<const Transfer::Word> words,
-                    std::size_t first_lane, const std::uint16_t* records, std::size_t lanes) {
-    for (const Transfer::Word& word : words) {
-        std::uint16_t* const row = block.row(word.reg) + first_lane;
-        const std::uint16_t* from = records + word.slot;
-        for (std::size_t lane = 0; lane < lanes; ++lane, from += kMaxTransferSlots) {
-            row[lane] = *from;
+// do_lane(lane) for `count` lanes from `first` on, upwards or downwards.
+template <class DoLane>
+void each_lane(std::size_t first, std::size_t count, bool downwards, DoLane do_lane) {
+    if (downwards) {
+        for (std::size_t lane = first + count; lane-- > first;) {
+            do_lane(lane);
+        }
+    } else {
+        for (std::size_t lane = first; lane < first + count; ++lane) {
+            do_lane(lane);
         }
     }
 }
+
+// Words come from a lane that has not yet taken its own neighbour's if lanes take theirs in the
+// contrary of the direction in which words travel.
+bool goes_downwards(const Transfer& transfer) {
+    return transfer.distance > 0;
+}
+
+// Lanes whose neighbours' words lie in one block, or in what has been laid out.
+struct Stretch {
+    const LaneBlock* block = nullptr;
+    std::size_t first = 0;  // lane of the block
+    std::size_t count = 0;
+    const LaneBlock* neighbours = nullptr;  // block; none: laid out
+    std::size_t first_neighbour = 0;        // lane of that block; of the array, if laid out
+};
+
+// At the most so many lanes: what they read and write stays in the host's nearest cache.
+constexpr std::size_t kMostTogether = 64;
+
+class Taker {
+  public:
+    Taker(std::span<const LaneBlock> blocks, const Transfer& transfer,
+          std::span<const std::uint16_t> laid_out, std::size_t ring_offset)
+        : blocks_(blocks), transfer_(transfer), laid_out_(laid_out), ring_offset_(ring_offset) {}
+
+    void take_all() {
+        std::vector<Stretch> stretches;
+        for (const LaneBlock& block : blocks_) {
+            for (std::size_t lane = 0; lane < block.lanes;) {
+                stretches.push_back(stretch_from(block, lane));
+                lane += stretches.back().count;
+            }
+        }
+        if (goes_downwards(transfer_)) {
+            std::reverse(stretches.begin(), stretches.end());
+        }
+        for (const Stretch& stretch : stretches) {
+            take(stretch);
+        }
+    }
+
+  private:
+    Stretch stretch_from(const LaneBlock& block, std::size_t lane) const {
+        const std::size_t width = block.width;
+        const auto ring = static_cast<std::int64_t>(block.parts->ring->size());
+        const auto place = static_cast<std::int64_t>(block.index * width + lane);
+        // Neighbours beyond the ring's end or start are others' or are laid out, too.
+        const std::int64_t neighbour = place - transfer_.distance;
+        const auto first = static_cast<std::int64_t>(blocks_.front().index * width);
+        const auto end =
+            static_cast<std::int64_t>(blocks_.back().index * width + blocks_.back().lanes);
+        Stretch stretch{&block, lane, std::min(block.lanes - lane, kMostTogether)};
+        const auto shorten = [&stretch](std::int64_t most) {
+            stretch.count = std::min(stretch.count, static_cast<std::size_t>(most));
+        };
+        if (neighbour >= first && neighbour < end) {
+            const auto index = static_cast<std::size_t>(neighbour - first);
+            stretch.neighbours = &blocks_[index / width];
+            stretch.first_neighbour = index % width;
+            shorten(static_cast<std::int64_t>(stretch.neighbours->lanes - index % width));
+        } else {
+            const std::int64_t around = (neighbour + ring) % ring;
+            stretch.first_neighbour = static_cast<std::size_t>(around);
+            shorten(ring - around);
+            if (neighbour < first) {
+                shorten(first - neighbour);
+            }
+        }
+        return stretch;
+    }
+
+    // do_word(lane, word) for each lane of the stretch and the source's word of the lane's own.
+    template <class DoWord>
+    void each_own(const Stretch& stretch, int source, DoWord do_word) const {
+        const auto [in_register, number] = transfer_.sources[static_cast<std::size_t>(source)];
+        const std::uint16_t* const row = stretch.block->row(in_register ? number : 0);
+        const Pointers from = load_pointers(*stretch.block, transfer_);
+        for (std::size_t lane = stretch.first; lane < stretch.first + stretch.count; ++lane) {
+            do_word(lane, in_register ? row[lane] : *from(lane, number));
+        }
+    }
+    // The same of the neighbour's.
+    template <class DoWord>
+    void each_taken(const Stretch& stretch, int source, DoWord do_word) const {
+        if (stretch.neighbours != nullptr) {
+            const Stretch there{stretch.neighbours, stretch.first_neighbour, stretch.count};
+            each_own(there, source, [&](std::size_t lane, std::uint16_t word) {
+                do_word(lane - there.first + stretch.first, word);
+            });
+            return;
+        }
+        const std::uint16_t* from = laid_out_.data() + stretch.first_neighbour * kMaxTransferWords +
+                                    static_cast<std::size_t>(source);
+        for (std::size_t i = 0; i < stretch.count; ++i, from += kMaxTransferWords) {
+            do_word(stretch.first + i, *from);
+        }
+    }
+
+    void take(const Stretch& stretch) {
+        fill_ring(stretch);
+        find_results(stretch);
+        const Pointers to = store_pointers(*stretch.block, transfer_);
+        for (const auto& [reg, offset] : transfer_.register_stores) {
+            const std::uint16_t* const row = stretch.block->row(reg);
+            for (std::size_t lane = stretch.first; lane < stretch.first + stretch.count; ++lane) {
+                *to(lane, offset) = row[lane];
+            }
+        }
+        if (stretch.neighbours != nullptr) {
+            move(stretch, to);
+        } else {
+            for (const auto& [source, offset] : transfer_.stores) {
+                each_taken(stretch, source,
+                           [&to, offset = offset](std::size_t lane, std::uint16_t word) {
+                               *to(lane, offset) = word;
+                           });
+            }
+        }
+        keep_results(stretch);
+    }
+
+    void move(const Stretch& stretch, const Pointers& to) const {
+        const Pointers from = load_pointers(*stretch.neighbours, transfer_);
+        each_lane(0, stretch.count, goes_downwards(transfer_), [&](std::size_t i) {
+            for (const Transfer::Move& piece : transfer_.moves) {
+                copy(to(stretch.first + i, piece.to), from(stretch.first_neighbour + i, piece.from),
+                     piece.count);
+            }
+        });
+        for (const auto& [reg, offset] : transfer_.handed) {
+            const std::uint16_t* const row = stretch.neighbours->row(reg) + stretch.first_neighbour;
+            for (std::size_t i = 0; i < stretch.count; ++i) {
+                *to(stretch.first + i, offset) = row[i];
+            }
+        }
+    }
+
+    void fill_ring(const Stretch& stretch) const {
+        auto& ring = *stretch.block->parts->ring;
+        const std::size_t start = ring_offset_ + stretch.block->index * stretch.block->width;
+        each_own(stretch, transfer_.last_put, [&](std::size_t lane, std::uint16_t word) {
+            ring[(start + lane) % ring.size()] = word;
+        });
+    }
+
+    // Registers' values wait until nobody reads what registers and memory had before.
+    void find_results(const Stretch& stretch) {
+        std::uint16_t* to = results_.data();
+        const auto note = [&](std::size_t lane, std::uint16_t word) {
+            to[lane - stretch.first] = word;
+        };
+        for (const Transfer::Result& result : transfer_.own_results) {
+            each_own(stretch, result.source, note);
+            to += kMostTogether;
+        }
+        for (const Transfer::Result& result : transfer_.taken_results) {
+            each_taken(stretch, result.source, note);
+            to += kMostTogether;
+        }
+    }
+    void keep_results(const Stretch& stretch) const {
+        const std::uint16_t* from = results_.data();
+        for (const auto* results : {&transfer_.own_results, &transfer_.taken_results}) {
+            for (const Transfer::Result& result : *results) {
+                std::copy_n(from, stretch.count, stretch.block->row(result.reg) + stretch.first);
+                from += kMostTogether;
+            }
+        }
+    }
+
+    std::span<const LaneBlock> blocks_;
+    const Transfer& transfer_;
+    std::span<const std::uint16_t> laid_out_;
+    std::size_t ring_offset_;
+    std::array<std::uint16_t, isa::vliw::kRegisters * kMostTogether> results_;
+};
 
 }  // namespace
 
-void take_over(LaneBlock& block, const Transfer& transfer,
-               std::span<const std::uint16_t> laid_out) {
-    const Pointers to(block, transfer.store_base, transfer.store_bank, transfer);
-    for (const auto& store : transfer.register_stores) {
-        const std::uint16_t* const row = block.row(store.reg);
-        for (std::size_t lane = 0; lane < block.lanes; ++lane) {
-            *to(lane, store.offset) = row[lane];
+void lay_out(std::span<const LaneBlock> blocks, const Transfer& transfer,
+             std::span<std::uint16_t> laid_out) {
+    const std::size_t width = blocks.front().width;
+    const std::size_t first = blocks.front().index * width;
+    const std::size_t end = blocks.back().index * width + blocks.back().lanes;
+    const std::size_t count =
+        std::min(end - first, static_cast<std::size_t>(std::abs(transfer.distance)));
+    const std::size_t begin = goes_downwards(transfer) ? end - count : first;
+    for (std::size_t place = begin; place < begin + count; ++place) {
+        const LaneBlock& block = blocks[(place - first) / width];
+        const std::size_t lane = (place - first) % width;
+        const Pointers from = load_pointers(block, transfer);
+        std::uint16_t* to = laid_out.data() + place * kMaxTransferWords;
+        for (const auto& [in_register, number] : transfer.sources) {
+            *to++ = in_register ? block.row(number)[lane] : *from(lane, number);
         }
     }
-    each_stretch(block, laid_out, transfer.distance,
-                 [&](std::size_t first, const std::uint16_t* records, std::size_t lanes) {
-                     for (const TransferRun& run : transfer.stores) {
-                         const std::uint16_t* from = records + run.slot;
-                         for (std::size_t i = 0; i < lanes; ++i, from += kMaxTransferSlots) {
-                             copy(to(first + i, run.offset), from, run.count);
-                         }
-                     }
-                     fill_registers(block, transfer.taken_registers, first, records, lanes);
-                 });
-    each_stretch(block, laid_out, 0,
-                 [&](std::size_t first, const std::uint16_t* records, std::size_t lanes) {
-                     fill_registers(block, transfer.own_registers, first, records, lanes);
-                 });
-    block.lines->forget_all();
+}
+
+void take_over(std::span<const LaneBlock> blocks, const Transfer& transfer,
+               std::span<const std::uint16_t> laid_out, std::size_t ring_offset) {
+    Taker(blocks, transfer, laid_out, ring_offset).take_all();
+    for (const LaneBlock& block : blocks) {
+        block.lines->forget_all();
+    }
 }
 
 }  // namespace rasterloom::lockstep

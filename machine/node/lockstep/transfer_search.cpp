@@ -14,7 +14,7 @@ using isa::vliw::CommOp;
 using isa::vliw::MemOp;
 
 // Below so many words, handing on at once saves nothing.
-constexpr int kFewestWords = 8;
+constexpr std::size_t kFewestWords = 8;
 
 // Follows a piece of program bundle by bundle and knows of each register, of the ring and of
 // memory where their values come from.
@@ -24,15 +24,14 @@ class Follower {
 
     // False, and without effect, if the piece cannot go on with the bundle.
     bool follow(const Bundle& bundle) {
-        const auto& [seq, alu, mul, mem, comm, sleep, immediate] = bundle;
-        if (seq.op != isa::vliw::SeqOp::none || alu.op != isa::vliw::AluOp::none ||
-            mul.op != isa::vliw::MulOp::none || sleep != isa::vliw::SleepOp::none || !takes(mem) ||
-            !takes(comm) || transfer_.slots + 2 > kMaxTransferSlots) {
+        const Bundle::Memory& mem = bundle.mem;
+        const Bundle::Communication& comm = bundle.comm;
+        if (bundle.seq.op != isa::vliw::SeqOp::none || bundle.sleep != isa::vliw::SleepOp::none ||
+            transfer_.sources.size() + 2 > kMaxTransferWords || !takes(mem) || !takes(comm) ||
+            !puts_off_work(bundle)) {
             return false;
         }
-        const bool store = mem.op == MemOp::st || mem.op == MemOp::sts;
-        const bool load = mem.op == MemOp::ld || mem.op == MemOp::lds;
-        if (store) {
+        if (is_store(mem.op)) {
             follow_store(mem);
         }
         if (comm.op == CommOp::put) {
@@ -41,7 +40,7 @@ class Follower {
         if (comm.op == CommOp::get) {
             get(comm.reg);
         }
-        if (load) {
+        if (is_load(mem.op)) {
             follow_load(mem);
         }
         shift(comm);
@@ -49,35 +48,35 @@ class Follower {
     }
 
     std::optional<Transfer> transfer(std::uint32_t end_bundle) {
-        if (stored_words_ < kFewestWords) {
+        if (transfer_.stores.size() < kFewestWords || transfer_.distance == 0) {
             return std::nullopt;
         }
         transfer_.end_bundle = end_bundle;
         transfer_.first_offset = *std::min_element(offsets_.begin(), offsets_.end());
         transfer_.last_offset = *std::max_element(offsets_.begin(), offsets_.end());
         for (const auto& [reg, value] : values_) {
-            auto& words = value.own ? transfer_.own_registers : transfer_.taken_registers;
-            words.push_back({reg, value.slot});
+            auto& results = value.own ? transfer_.own_results : transfer_.taken_results;
+            results.push_back({reg, value.source});
         }
+        find_moves();
         return transfer_;
     }
 
   private:
     struct Value {
-        int slot = 0;
+        int source = 0;
         bool own = true;  // or the neighbour's
     };
 
     static std::uint32_t bank_of(const Bundle::Memory& mem) {
-        const bool slow = mem.op == MemOp::lds || mem.op == MemOp::sts;
-        return slow ? (mem.bank + 1U) * isa::vliw::kBankWords : 0;
+        return is_slow(mem.op) ? (mem.bank + 1U) * isa::vliw::kBankWords : 0;
     }
     bool is_base(int reg) const {
         return reg == transfer_.load_base || reg == transfer_.store_base;
     }
 
     bool takes(const Bundle::Memory& mem) const {
-        const bool load = mem.op == MemOp::ld || mem.op == MemOp::lds;
+        const bool load = is_load(mem.op);
         if (mem.op == MemOp::none) {
             return true;
         }
@@ -112,20 +111,37 @@ class Follower {
         }
     }
 
-    static void lengthen(std::vector<TransferRun>& runs, int slot, int offset) {
-        if (!runs.empty() && runs.back().slot + runs.back().count == slot &&
-            runs.back().offset + runs.back().count == offset) {
-            ++runs.back().count;
-        } else {
-            runs.push_back({slot, offset, 1});
+    // The work of ALU and multiplier comes after all moves of words. False if it would then find
+    // something else in a register, or a move would.
+    bool puts_off_work(const Bundle& bundle) {
+        Bundle moves = bundle;
+        moves.alu = {};
+        moves.mul = {};
+        Bundle work = bundle;
+        work.mem = {};
+        work.comm = {};
+        const std::uint32_t read = work_reads_ | registers_read(work);
+        if ((registers_read(moves) & work_writes_) != 0 ||
+            (registers_written(moves) & (read | work_writes_)) != 0) {
+            return false;
         }
+        if (work.alu.op != isa::vliw::AluOp::none || work.mul.op != isa::vliw::MulOp::none) {
+            work_reads_ = read;
+            work_writes_ |= registers_written(work);
+            transfer_.work.push_back(without_unused_fields(work));
+        }
+        return true;
+    }
+
+    int add_source(const Transfer::Source& source) {
+        transfer_.sources.push_back(source);
+        return static_cast<int>(transfer_.sources.size()) - 1;
     }
     void follow_load(const Bundle::Memory& mem) {
         transfer_.load_base = mem.base;
         transfer_.load_bank = bank_of(mem);
         offsets_.insert(mem.offset);
-        values_[mem.reg] = {transfer_.slots, true};
-        lengthen(transfer_.loads, transfer_.slots++, mem.offset);
+        values_[mem.reg] = {add_source({false, mem.offset}), true};
     }
     void follow_store(const Bundle::Memory& mem) {
         transfer_.store_base = mem.base;
@@ -133,8 +149,7 @@ class Follower {
         offsets_.insert(mem.offset);
         stored_.insert(mem.offset);
         if (const auto value = values_.find(mem.reg); value != values_.end()) {
-            lengthen(transfer_.stores, value->second.slot, mem.offset);
-            ++stored_words_;
+            transfer_.stores.push_back({value->second.source, mem.offset});
         } else {
             transfer_.register_stores.push_back({mem.reg, mem.offset});
         }
@@ -142,10 +157,9 @@ class Follower {
     void put(int reg) {
         const auto value = values_.find(reg);
         if (value == values_.end()) {
-            transfer_.laid_registers.push_back({reg, transfer_.slots});
-            in_ring_ = transfer_.slots++;
+            in_ring_ = add_source({true, reg});
         } else {
-            in_ring_ = value->second.slot;
+            in_ring_ = value->second.source;
         }
         transfer_.last_put = *in_ring_;
         transfer_.shift_before_put = transfer_.shift;
@@ -163,14 +177,44 @@ class Follower {
         shift_since_put_ += places;
     }
 
+    // Moves go on over a word that a register fills afterwards.
+    void find_moves() {
+        for (const Transfer::Store& store : transfer_.stores) {
+            const Transfer::Source& source =
+                transfer_.sources[static_cast<std::size_t>(store.source)];
+            if (source.in_register) {
+                transfer_.handed.push_back({source.number, store.offset});
+                continue;
+            }
+            Transfer::Move* const last =
+                transfer_.moves.empty() ? nullptr : &transfer_.moves.back();
+            const int gap = last == nullptr ? -1 : store.offset - last->to - last->count;
+            const bool joins = gap >= 0 && source.number - last->from == store.offset - last->to &&
+                               are_handed(store.offset - gap, store.offset);
+            if (joins) {
+                last->count += gap + 1;
+            } else {
+                transfer_.moves.push_back({source.number, store.offset, 1});
+            }
+        }
+    }
+    bool are_handed(int first, int end) const {
+        const auto between = [first, end](const Transfer::Store& store) {
+            return store.offset >= first && store.offset < end;
+        };
+        return std::count_if(transfer_.handed.begin(), transfer_.handed.end(), between) ==
+               end - first;
+    }
+
     Transfer transfer_;
+    std::uint32_t work_reads_ = 0;  // bit r: register r
+    std::uint32_t work_writes_ = 0;
     std::map<int, Value> values_;  // of registers that the piece has changed
     std::set<int> offsets_;
     std::set<int> stored_;
     std::optional<int> in_ring_;
     std::optional<std::int64_t> distance_;
     std::int64_t shift_since_put_ = 0;
-    int stored_words_ = 0;
 };
 
 }  // namespace
@@ -179,7 +223,8 @@ std::vector<Transfer> find_transfers(const isa::vliw::Program& program) {
     std::vector<Transfer> transfers;
     const auto bundles = static_cast<std::uint32_t>(program.bundles.size());
     for (std::uint32_t first = 0; first < bundles; ++first) {
-        if (program.bundles[first].comm.op != CommOp::put) {
+        const Bundle& bundle = program.bundles[first];
+        if (bundle.comm.op != CommOp::put && !is_load(bundle.mem.op)) {
             continue;
         }
         Follower follower(first);

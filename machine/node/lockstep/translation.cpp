@@ -238,7 +238,8 @@ void Translation::number_lines(const isa::vliw::Program& program) {
     }
 }
 
-Translation::Translation(const isa::vliw::Program& program, int row_words) {
+Translation::Translation(const isa::vliw::Program& program, std::span<const Transfer> transfers,
+                         int row_words) {
     number_lines(program);
     cycles_.push_back(0);
     slots_.push_back(0);
@@ -250,7 +251,18 @@ Translation::Translation(const isa::vliw::Program& program, int row_words) {
         translate(bundle, row_words);
     }
     first_.push_back(static_cast<std::uint32_t>(operations_.size()));
+    translate_work(transfers, row_words);
     find_ends(program);
+}
+
+void Translation::translate_work(std::span<const Transfer> transfers, int row_words) {
+    for (const Transfer& transfer : transfers) {
+        const auto first = static_cast<std::uint32_t>(operations_.size());
+        for (const Bundle& bundle : transfer.work) {
+            translate(bundle, row_words);
+        }
+        work_[transfer.first_bundle] = {first, static_cast<std::uint32_t>(operations_.size())};
+    }
 }
 
 void Translation::translate(const Bundle& bundle, int row_words) {
@@ -289,8 +301,8 @@ void Translation::find_ends(const isa::vliw::Program& program) {
     const auto bundles = static_cast<std::uint32_t>(program.bundles.size());
     plain_end_.resize(bundles);
     for (std::uint32_t i = bundles; i-- > 0;) {
-        const bool last = i + 1 == bundles;
-        plain_end_[i] = !is_plain(program.bundles[i]) ? i : last ? bundles : plain_end_[i + 1];
+        const bool last = i + 1 == bundles || work_.contains(i + 1);
+        plain_end_[i] = !is_plain(program.bundles[i]) ? i : last ? i + 1 : plain_end_[i + 1];
     }
     const auto operations = static_cast<std::uint32_t>(operations_.size());
     next_sleep_change_.assign(operations + 1, operations);

@@ -5,10 +5,13 @@
 
 #include "isa/vliw/program.hpp"
 #include "machine/node/lockstep/micro_operation.hpp"
+#include "machine/node/lockstep/transfer.hpp"
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace rasterloom::lockstep {
@@ -16,7 +19,8 @@ namespace rasterloom::lockstep {
 class Translation {
   public:
     // `row_words`: the width of a block in lanes.
-    Translation(const isa::vliw::Program& program, int row_words);
+    Translation(const isa::vliw::Program& program, std::span<const Transfer> transfers,
+                int row_words);
 
     std::uint32_t bundles() const { return static_cast<std::uint32_t>(plain_end_.size()); }
     const std::vector<MicroOperation>& operations() const { return operations_; }
@@ -29,8 +33,15 @@ class Translation {
     // Cycles and slots used from bundle 0 to this one, along the addresses.
     std::uint32_t cycles_before(std::uint32_t bundle) const { return cycles_[bundle]; }
     std::int64_t slots_before(std::uint32_t bundle) const { return slots_[bundle]; }
-    // The first bundle from here on that the sequencer has to look at: all before it concern
-    // single lanes only.
+    // The work that a transfer puts off, by its first bundle.
+    std::uint32_t first_work(const Transfer& transfer) const {
+        return work_.at(transfer.first_bundle).first;
+    }
+    std::uint32_t end_work(const Transfer& transfer) const {
+        return work_.at(transfer.first_bundle).second;
+    }
+    // The first bundle from here on that the sequencer has to look at, or with which a transfer
+    // begins: all before it concern single lanes only.
     std::uint32_t plain_end(std::uint32_t bundle) const { return plain_end_[bundle]; }
     // The first micro-operation from here on that changes the sleep state, that may wake lanes.
     std::uint32_t next_sleep_change(std::uint32_t op) const { return next_sleep_change_[op]; }
@@ -41,6 +52,7 @@ class Translation {
     // operation alone does not pay.
     void number_lines(const isa::vliw::Program& program);
     void translate(const isa::vliw::Bundle& bundle, int row_words);
+    void translate_work(std::span<const Transfer> transfers, int row_words);
     void find_ends(const isa::vliw::Program& program);
 
     std::vector<MicroOperation> operations_;
@@ -50,6 +62,7 @@ class Translation {
     std::vector<bool> waking_;
     std::vector<std::uint32_t> cycles_;
     std::vector<std::int64_t> slots_;
+    std::map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> work_;
     std::vector<std::uint32_t> plain_end_;
     std::vector<std::uint32_t> next_sleep_change_;
     std::vector<std::uint32_t> next_waking_;
