@@ -19,13 +19,14 @@
 ; The lane and its share of the screen (H)
 lane        = 0x00      ; this lane's number
 column      = 0x01      ; the column of the screen that it draws; 0x7fff: none. Sort-middle: lane i draws column i, or none
-polygons    = 0x02      ; polygons in this lane's database
+polygons    = 0x02      ; polygons in this lane's database; sort-first keeps it right when they migrate
 polygons_at = 0x03      ; where its database begins: kDatabase words each
 source_at   = 0x04      ; where its array of descriptors to be sent begins; geometry works in it, too, before it makes them
 source_end  = 0x05      ; first word behind that
-receive_at  = 0x06      ; the same of descriptors received: room for one more than the lane keeps, as the source array has, too, with strides
+receive_at  = 0x06      ; the same of descriptors received: room for one more than the lane keeps, as the source array has, too, with strides;
+                        ; sort-first receives polygons, kHome words each, and the source array has the descriptors of what the lane draws
 receive_end = 0x07
-most        = 0x08      ; the greatest number of polygons on any lane (the same on all)
+most        = 0x08      ; the greatest number of polygons on any lane (the same on all; sort-first finds it)
 error       = 0x09      ; 0, or why the program halted: error_name_* below
 lanes       = 0x0a      ; lanes on the ring (the same on all)
 most_lanes  = 32767     ; ... at most
