@@ -12,7 +12,7 @@
 
         .include "pass.s"
 
-        .if ne <duplication-1>!<stride-1>
+        .if ne duplication-1!<stride-1>
         .error  sort-first knows neither duplication nor strides
         .endc
         .if gt migrate-2
