@@ -143,26 +143,22 @@ find_columns:
         .endm
 
         .macro  pass_h  places, way=right
-        ld      r16, h_left(slot)
-        pass_word h_left, r16, first, h_right, r17, places, way
-        pass_word h_right, r17, last, 0, r18, places, way
+        ld      r17, h_left(slot)
+        pass_word h_left, first, h_right, places, way
+        pass_word h_right, last, 0, places, way
         put     handed
         way     places
         get     to_go
         st      to_go, h_passes(into)
 at = 0
-        .rept   7
-        pass_word at, r18, r21, at+1, r19, places, way
-        pass_word at+1, r19, r22, at+2, r20, places, way
-        pass_word at+2, r20, r23, at+3, r18, places, way
-at = at+3
+        .rept   kPolygon-1
+        pass_word at, r21, at+1, places, way
+at = at+1
         .endr
-        pass_word at, r18, r21, at+1, r19, places, way
-        pass_word at+1, r19, r22, at+2, r20, places, way
-        put     r20
+        put     r17
         way     places
-        get     r23
-        st      r23, at+2(into)
+        get     r21
+        st      r21, at(into)
         .endm
 
 ; ---- A walk over all homes, from link_next to home_free: begin_walk, name_loop:, look_home, what is to be done, end_walk.

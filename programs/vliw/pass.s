@@ -79,10 +79,10 @@ name'_save:
         .endm
 
 ; ---- Passes
-        .macro  pass_word k, from, to, ahead, next_from, places, way=right
-        put     from
+        .macro  pass_word k, to, ahead, places, way=right
+        put     r17
         way     places
-        ld      next_from, ahead(slot)
+        ld      r17, ahead(slot)
         get     to
         st      to, k(into)
         .endm
@@ -93,24 +93,22 @@ name'_save:
         add     own, own, #kDescriptor
         .endm
 
-; The first words of a descriptor come with d_left, d_right and d_passes, which are looked at.
+; The first words of a descriptor come with d_left, d_right and d_passes, which are looked at. Each word takes the same registers: few
+; registers' values at the end are cheap to emulate.
         .macro  pass_d  places
-        ld      r16, 0(slot)
-        pass_word 0, r16, first, 1, r17, places
-        pass_word 1, r17, last, 2, r18, places
-        pass_word 2, r18, r22, 3, r19, places
-        pass_word 3, r19, r23, 5, r17, places
+        ld      r17, 0(slot)
+        pass_word 0, first, 1, places
+        pass_word 1, last, 2, places
+        pass_word 2, r21, 3, places
+        pass_word 3, r21, 5, places
         put     handed
         right   places
         get     to_go
         st      to_go, d_passes(into)
 at = 5
-        .rept   9
-        pass_word at, r17, r21, at+1, r18, places
-        pass_word at+1, r18, r22, at+2, r19, places
-        pass_word at+2, r19, r23, at+3, r20, places
-        pass_word at+3, r20, r24, at+4, r17, places
-at = at+4
+        .rept   kDescriptor-6
+        pass_word at, r21, at+1, places
+at = at+1
         .endr
         put     r17
         right   places

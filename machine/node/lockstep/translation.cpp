@@ -209,7 +209,8 @@ MicroOperation sleep_change(Code code, std::uint32_t when) {
 }
 
 // Base register, first word of the bank, offset of the line.
-std::array<std::uint32_t, 3> line_of(const Bundle::Memory& mem) {
+using LineKey = std::array<std::uint32_t, 3>;
+LineKey line_of(const Bundle::Memory& mem) {
     const bool slow = mem.op == MemOp::lds || mem.op == MemOp::sts;
     return {mem.base, slow ? mem.bank + 1U : 0U, line_offset(mem.offset)};
 }
@@ -224,17 +225,28 @@ MicroOperation forget_base(int reg) {
 }  // namespace
 
 void Translation::number_lines(const isa::vliw::Program& program) {
-    std::map<std::array<std::uint32_t, 3>, int> uses;
+    std::array<std::uint32_t, isa::vliw::kRegisters> changes{};  // of registers, so far
+    std::vector<std::pair<LineKey, std::uint32_t>> accesses;     // and how often the base changed
+    std::map<std::pair<LineKey, std::uint32_t>, int> uses;
     for (const Bundle& bundle : program.bundles) {
+        accesses.emplace_back(line_of(bundle.mem), changes[bundle.mem.base]);
         if (bundle.mem.op != MemOp::none && bundle.mem.base != 0) {
-            ++uses[line_of(bundle.mem)];
+            ++uses[accesses.back()];
+        }
+        for (std::uint32_t changed = registers_written(bundle); changed != 0;
+             changed &= changed - 1) {
+            ++changes[static_cast<std::size_t>(std::countr_zero(changed))];
         }
     }
-    for (const auto& [line, count] : uses) {
-        if (count > 1 && line_ids_.size() < kMostLineIds) {
-            line_ids_.emplace(line, static_cast<std::uint8_t>(line_ids_.size() + 1));
+    std::map<LineKey, std::uint8_t> ids;
+    for (const auto& [line, change] : accesses) {
+        const auto use = uses.find({line, change});
+        const bool again = use != uses.end() && use->second > 1;
+        if (again && ids.size() < kMostLineIds) {
+            ids.emplace(line, static_cast<std::uint8_t>(ids.size() + 1));
             line_bases_ |= 1U << line.front();
         }
+        line_ids_.push_back(again && ids.contains(line) ? ids[line] : std::uint8_t{0});
     }
 }
 
@@ -248,7 +260,7 @@ Translation::Translation(const isa::vliw::Program& program, std::span<const Tran
         waking_.push_back(first_sleep_change(bundle.sleep).has_value());
         cycles_.push_back(cycles_.back() + static_cast<std::uint32_t>(cycles_of(bundle)));
         slots_.push_back(slots_.back() + operations_in(bundle));
-        translate(bundle, row_words);
+        translate(bundle, row_words, line_ids_[first_.size() - 1]);
     }
     first_.push_back(static_cast<std::uint32_t>(operations_.size()));
     translate_work(transfers, row_words);
@@ -259,13 +271,13 @@ void Translation::translate_work(std::span<const Transfer> transfers, int row_wo
     for (const Transfer& transfer : transfers) {
         const auto first = static_cast<std::uint32_t>(operations_.size());
         for (const Bundle& bundle : transfer.work) {
-            translate(bundle, row_words);
+            translate(bundle, row_words, 0);
         }
         work_[transfer.first_bundle] = {first, static_cast<std::uint32_t>(operations_.size())};
     }
 }
 
-void Translation::translate(const Bundle& bundle, int row_words) {
+void Translation::translate(const Bundle& bundle, int row_words, std::uint8_t line) {
     const std::uint32_t end = cycles_.back();
     if (const auto code = first_sleep_change(bundle.sleep)) {
         operations_.push_back(
@@ -278,10 +290,9 @@ void Translation::translate(const Bundle& bundle, int row_words) {
         keep.code = kKeepTest;
         operations_.push_back(keep);
     }
-    const auto line = line_ids_.find(line_of(bundle.mem));
     for (MicroOperation op : Order(bundle).operations()) {
-        if (op.code >= kLoadFixed && op.code <= kStore && line != line_ids_.end()) {
-            op.detail = line->second;
+        if (op.code >= kLoadFixed && op.code <= kStore) {
+            op.detail = line;
         }
         for (std::uint16_t* row : {&op.dst, &op.a, &op.b}) {
             *row = static_cast<std::uint16_t>(*row * row_words);

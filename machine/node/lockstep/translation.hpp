@@ -48,16 +48,16 @@ class Translation {
     std::uint32_t next_waking(std::uint32_t op) const { return next_waking_[op]; }
 
   private:
-    // Numbers base registers' lines of offsets that are used more than once: fetching for one
-    // operation alone does not pay.
+    // Numbers base registers' lines of offsets that are used more than once before the register
+    // changes, along the bundles' addresses: fetching for one operation alone does not pay.
     void number_lines(const isa::vliw::Program& program);
-    void translate(const isa::vliw::Bundle& bundle, int row_words);
+    void translate(const isa::vliw::Bundle& bundle, int row_words, std::uint8_t line);
     void translate_work(std::span<const Transfer> transfers, int row_words);
     void find_ends(const isa::vliw::Program& program);
 
     std::vector<MicroOperation> operations_;
-    std::map<std::array<std::uint32_t, 3>, std::uint8_t> line_ids_;  // by base, bank, offset
-    std::uint32_t line_bases_ = 0;  // bit r: register r is the base of a numbered line
+    std::vector<std::uint8_t> line_ids_;  // by bundle; 0: none
+    std::uint32_t line_bases_ = 0;        // bit r: register r is the base of a numbered line
     std::vector<std::uint32_t> first_;
     std::vector<bool> waking_;
     std::vector<std::uint32_t> cycles_;
