@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // rasterloom boxes: the bounding boxes of a scene, for `rasterloom communicate` and the ring.
 #include "machine/cli/command.hpp"
+#include "machine/cli/config_options.hpp"
 #include "machine/config/error.hpp"
+#include "machine/emulation/princeton_scene.hpp"
+#include "machine/emulation/programs.hpp"
 #include "machine/host/box_scenes.hpp"
 #include "machine/host/mesh_file.hpp"
 #include "machine/host/polygon_projection.hpp"
@@ -22,6 +25,7 @@ namespace rasterloom::cli {
 namespace {
 
 struct BoxesOptions {
+    ConfigOptions machine;
     std::string mesh;
     std::string up = "y";
     std::string front = "z";
@@ -42,7 +46,12 @@ host::Mesh make_mesh(const BoxesOptions& options) {
     return mesh;
 }
 
-std::vector<host::BoundingBox> make_boxes(const BoxesOptions& options) {
+std::vector<host::BoundingBox> make_boxes(const BoxesOptions& options, const Session& session) {
+    if (!options.machine.file.empty()) {
+        const config::MachineDescription machine = load(options.machine, session);
+        isa::IsaRegistry registry = emulation::built_in_isas();
+        return emulation::princeton_boxes({machine, registry});
+    }
     if (options.random.count != 0) {
         return host::random_boxes(options.random);
     }
@@ -72,11 +81,13 @@ void print_summary(const std::string& file, const std::vector<host::BoundingBox>
                boxes.size(), visible, mean(pixels), mean(columns));
 }
 
-void write_boxes(const BoxesOptions& options) {
+void write_boxes(const BoxesOptions& options, const Session& session) {
     try {
-        const auto boxes = make_boxes(options);
+        const auto boxes = make_boxes(options, session);
         host::save_bounding_boxes(options.out, boxes);
         print_summary(options.out, boxes);
+    } catch (const config::ConfigError&) {
+        throw;
     } catch (const std::runtime_error& problem) {  // files
         config::refuse({}, {}, {}, problem.what());
     } catch (const std::invalid_argument& problem) {
@@ -94,12 +105,23 @@ void add_scene_options(CLI::App& command, BoxesOptions& options) {
                      "So many polygons evenly over the screen, half of them visible")
         ->check(CLI::Range(std::int64_t{1}, host::kMostBoxes))
         ->type_name("N");
+    CLI::Option* const machine =
+        scene
+            ->add_option("--machine", options.machine.file,
+                         "What a lock-step machine draws in its first frame, as it stands there")
+            ->type_name("FILE");
     scene->require_option(1);
+    command
+        .add_option("--set", options.machine.overrides,
+                    "Change a value of the machine's configuration; may be given several times")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->needs(machine);
 }
 
 }  // namespace
 
-void add_boxes_command(CLI::App& app, Session&) {
+void add_boxes_command(CLI::App& app, Session& session) {
     auto options = std::make_shared<BoxesOptions>();
     CLI::App* command = app.add_subcommand(
         "boxes", "Write the bounding boxes of a scene's polygons: what `communicate` reads");
@@ -120,7 +142,7 @@ void add_boxes_command(CLI::App& app, Session&) {
     add("--longest-side", options->random.longest_side, "Of random polygons' boxes, pixels");
     add("--width", options->random.width, "Of the screen, pixels");
     add("--height", options->random.height, "Of the screen, pixels");
-    command->callback([options] { write_boxes(*options); });
+    command->callback([options, &session] { write_boxes(*options, session); });
 }
 
 }  // namespace rasterloom::cli

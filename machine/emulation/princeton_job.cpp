@@ -4,11 +4,9 @@
 // upper left part of the machine's.
 #include "machine/emulation/array_settings.hpp"
 #include "machine/emulation/job.hpp"
-#include "machine/emulation/object.hpp"
 #include "machine/emulation/princeton_loader.hpp"
 #include "machine/emulation/princeton_picture.hpp"
 #include "machine/emulation/princeton_scene.hpp"
-#include "machine/host/projection.hpp"
 #include "machine/host/triangle_renderer.hpp"
 #include "machine/host/triangle_texture.hpp"
 
@@ -130,11 +128,8 @@ class PrincetonJob final : public HostJob {
     }
 
     host::TriangleView view_at(std::int64_t frame) const {
-        const config::RotationDescription& rotate = description_.scene->rotate;
-        host::View turn = make_view(description_);
-        turn.degrees = rotate.start + static_cast<double>(frame) * rotate.degrees;
         host::TriangleView view = view_;
-        view.matrix = host::eye_matrix(host::rotation_of(turn), {0, 0, distance_});
+        view.matrix = make_princeton_view(description_, distance_, frame).matrix;
         return view;
     }
 

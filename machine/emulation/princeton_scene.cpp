@@ -2,8 +2,11 @@
 #include "machine/emulation/princeton_scene.hpp"
 
 #include "machine/emulation/object.hpp"
+#include "machine/emulation/scene_kind.hpp"
 #include "machine/host/png.hpp"
+#include "machine/host/projection.hpp"
 #include "machine/host/teapot.hpp"
+#include "machine/host/triangle_renderer.hpp"
 
 #include <exception>
 #include <utility>
@@ -49,6 +52,38 @@ host::TriangleScene make_princeton_scene(const MachineDescription& machine) {
     } catch (const std::exception& problem) {
         throw machine.error("scene.object", {}, problem.what());
     }
+}
+
+host::TriangleView make_princeton_view(const MachineDescription& machine, int distance,
+                                       std::int64_t frame) {
+    const config::RotationDescription& rotate = machine.scene->rotate;
+    host::View turn = make_view(machine);
+    turn.degrees = rotate.start + static_cast<double>(frame) * rotate.degrees;
+    host::TriangleView view;
+    view.matrix = host::eye_matrix(host::rotation_of(turn), {0, 0, distance});
+    return view;
+}
+
+std::vector<host::BoundingBox> princeton_boxes(const Blueprint& blueprint) {
+    const MachineDescription& machine = blueprint.description;
+    if (!blueprint.is_lockstep()) {
+        throw machine.error("nodes.isa", machine.nodes.isa, "is no machine of lanes", "vliw");
+    }
+    if (!machine.scene || scene_kind(machine) != SceneKind::object) {
+        throw machine.error("scene", {}, "has no object or mesh");
+    }
+    const host::TriangleScene scene = make_princeton_scene(machine);
+    const int distance = host::fitting_distance(scene, machine.scene->rotate.axis);
+    const host::TriangleRendering drawn = host::render_triangles(
+        scene, make_princeton_view(machine, distance, 0), host::make_lights(machine.scene->light));
+    std::vector<host::BoundingBox> boxes;
+    boxes.reserve(drawn.boxes.size());
+    for (const auto& box : drawn.boxes) {
+        boxes.push_back(
+            box ? host::BoundingBox{true, {box->left, box->top, box->right, box->bottom}}
+                : host::BoundingBox{});
+    }
+    return boxes;
 }
 
 }  // namespace rasterloom::emulation

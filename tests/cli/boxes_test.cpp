@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -57,6 +58,24 @@ TEST_F(Boxes, OfAMeshOnePolygonALine) {
         rasterloom({"boxes", "--mesh", "one.obj", "--turn", "180", "--out", "back.boxes"}).status,
         0);
     EXPECT_THAT(read_text(work_ / "back.boxes"), StartsWith("NumPolygons=1\n0 ("));
+}
+
+TEST_F(Boxes, OfALockStepMachineAreThoseOfItsFirstFrame) {
+    const std::string machine = "princeton1024-sort-middle.yaml";
+    const auto made = [&](const char* degrees) {
+        const auto done =
+            rasterloom({"boxes", "--machine", machine, "--set", "scene.object=cube", "--set",
+                        fmt::format("scene.rotate.start={}", degrees), "--out", "cube.boxes"});
+        EXPECT_EQ(done.status, 0) << done.err;
+        return done.out;
+    };
+    EXPECT_THAT(made("0"), StartsWith("cube.boxes: 12 polygons, 2 visible"));
+    EXPECT_THAT(made("45"), StartsWith("cube.boxes: 12 polygons, 4 visible"));
+    expect_refused({"boxes", "--machine", "geodesic482.yaml", "--out", "no.boxes"},
+                   "nodes.isa: is no machine of lanes 'pdp11'; expected vliw");
+    expect_refused({"boxes", "--machine", machine, "--set", "topology.nodez=3", "--out", "no"},
+                   "topology.nodez");
+    EXPECT_THAT(files(), ElementsAre("cube.boxes"));
 }
 
 TEST_F(Boxes, AtRandomAreTheSameForTheSameSeed) {

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+"""What the emulated Princeton Engine did (`rasterloom run configs/princeton1024-sort-middle.yaml`), as numbers: princeton.py prints them,
+papers/eldridge1995.py compares them. All of it is emulated time; nothing depends on the host."""
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+from eldridge_formula import WORDS
+from eldridge_ring import counts
+from measuring import setting
+
+CONFIG = "princeton1024-sort-middle"
+PROGRAM = "programs/vliw/sort_middle.s"
+PICTURE = 910 * 525  # cycles of a picture on the video output
+LINE = 910
+TURNS = (120, 240, 360)  # degrees: three sides of an object
+TEXTURE = "checker"
+SAMPLES = {False: 8, True: 4}  # pixels between two looks for the next polygon; programs/vliw/options.s
+
+
+def object_of(file):
+    return (("scene.object", str(file)),)
+
+
+def changes_of(changes):
+    return [part for name, value in changes for part in ("--set", f"{name}={value}")]
+
+
+def textured_scene(scene, textured):
+    return scene + (("scene.texture", TEXTURE),) if textured else scene
+
+
+def symbols(**values):
+    """Options of the program (programs/vliw/options.s)."""
+    return (("nodes.symbols", "{" + ", ".join(f"{name}: {value}" for name, value in values.items()) + "}"),)
+
+
+@lru_cache(maxsize=None)
+def statistics(emulator, changes, *arguments):
+    return emulator.run(CONFIG, *changes_of(changes), *arguments)[0]
+
+
+def array(emulator, scene, line_locked=False, **options):
+    """The array's part of the statistics of one frame."""
+    locked = (("array.line_locked", "true" if line_locked else "false"),)
+    return statistics(emulator, scene + locked + (symbols(**options) if options else ()))["array"]
+
+
+def named(rows, name):
+    return next(row for row in rows if row["name"] == name)
+
+
+def phase(found, name):
+    return named(found["phases"], name)
+
+
+def procedure(found, name):
+    return named(found["procedures"], name)
+
+
+def passes(found, stride=1):
+    """Passes of descriptors by `stride` places, and by one. A pass shifts each word of a descriptor once, and nothing else does."""
+    pass_words, words_places = found["shifts"], found["places"]
+    far = (words_places - pass_words) // (stride - 1) // WORDS if stride > 1 else 0
+    return far, pass_words // WORDS - far
+
+
+def model(emulator, scene, *arguments):
+    """`rasterloom communicate` on the boxes of the machine's first frame."""
+    return counts(emulator, ("--machine", f"configs/{CONFIG}.yaml", *changes_of(scene)), *arguments)
+
+
+@lru_cache(maxsize=None)
+def packed(emulator, textured):
+    """Bundles by label, as the assembler's report has them."""
+    report = emulator.text("assemble", PROGRAM, "--isa", "vliw", "--pack", "-D", f"textured={int(textured)}")
+    return {label: int(bundles) for label, bundles in re.findall(r"^(\S+) +\d+ +\d+ +(\d+) +[\d.]+$", report, re.MULTILINE)}
+
+
+@dataclass(frozen=True)
+class StageCosts:
+    """Bundles (transform, light) and cycles of one item, as one lane goes through it."""
+
+    transform: float
+    light: float
+    a_pass: float
+    normalise: float
+    look: float  # for the next polygon
+    sample: float
+
+
+def rounds(emulator, found, textured):
+    """Times that all lanes looked for the next polygon."""
+    bundles = packed(emulator, textured)
+    some = procedure(found, "rasterise_some")
+    once = bundles["rasterise_some"] + bundles["rasterise_save"]
+    return (some["bundles"] - some["calls"] * once) // (bundles["rasterise_round"] + bundles["rasterise_rows"])
+
+
+def stage_costs(emulator, scene, textured):
+    """From a frame that is not line-locked: a stage's cycles over the items of the lane that has most of them."""
+    scene = textured_scene(scene, textured)
+    found, counted = array(emulator, scene), model(emulator, scene)
+    most = -(-counted["polygons"] // found["lanes"])
+    bundles, some = packed(emulator, textured), procedure(found, "rasterise_some")
+    a_round = some["cycles_u"] / rounds(emulator, found, textured)
+    return StageCosts(procedure(found, "transform")["cycles_u"] / most,
+                      procedure(found, "light")["cycles_u"] / counted["instructions"]["lighting"] * 5000,
+                      procedure(found, "pass_near")["cycles_u"] / passes(found)[1],
+                      procedure(found, "normalise_some")["cycles_u"] / max(counted["stages"][-1]["received"]),
+                      bundles["rasterise_round"],
+                      (a_round - bundles["rasterise_round"]) / SAMPLES[textured])
+
+
+@dataclass(frozen=True)
+class LineFigures:
+    """What a scanline of a line-locked frame holds."""
+
+    transformed: float
+    lit: float
+    passes: float
+    normalised: float
+    samples: float
+
+
+def line_figures(emulator, scene, textured):
+    """The fullest scanline: items over scanlines, up to the next whole one, since the last scanline of a stage is not full."""
+    scene = textured_scene(scene, textured)
+    found, counted = array(emulator, scene, line_locked=True), model(emulator, scene)
+    most = -(-counted["polygons"] // found["lanes"])
+
+    def a_line(items, name):
+        return -(-items // procedure(found, name)["calls"])
+
+    return LineFigures(a_line(most, "transform"), a_line(counted["instructions"]["lighting"] // 5000, "light"),
+                       a_line(passes(found)[1], "pass_near"), a_line(max(counted["stages"][-1]["received"]), "normalise_some"),
+                       a_line(rounds(emulator, found, textured), "rasterise_some") * SAMPLES[textured])
+
+
+@dataclass(frozen=True)
+class FrameFigures:
+    """A line-locked frame, as table 8.1 has it."""
+
+    degrees: int
+    polygons: int
+    visible: int
+    pictures: int  # of the video output that the frame took
+    slices: int  # polygons on the fullest column
+    passes: float  # on the ring, a visible polygon
+    geometry: float  # share of the frame's time
+    communicate: float
+    rasterise: float  # the rest, waiting for the next picture included, as he counts
+    waiting: float  # that wait's share
+
+    def a_second(self, clock=14e6):
+        return clock / PICTURE / self.pictures
+
+
+def frame_figures(emulator, scene, textured, turns=TURNS):
+    """One a side. The first frame, whose predecessor the video need not show, is left out."""
+    scene = textured_scene(scene, textured)
+    turning = (("scene.rotate.degrees", str(turns[0])), ("scene.rotate.start", "0"))
+    found = statistics(emulator, scene + turning, "--frames", str(len(turns) + 1))
+    return [frame_of(emulator, scene, found, number, degrees) for number, degrees in enumerate(turns, 1)]
+
+
+def frame_of(emulator, scene, found, number, degrees):
+    counted = model(emulator, scene + (("scene.rotate.start", str(degrees)),))
+    stages = [part for part in found["phases"] if part["frame"] == number]
+    whole = found["frames"][number]["duration_u"]
+    share = {name: sum(part["duration_u"] for part in stages if part["name"] == name) / whole for name in ("geometry", "communicate")}
+    return FrameFigures(degrees, counted["polygons"], counted["visible"], round(whole / PICTURE), max(counted["stages"][-1]["received"]),
+                        counted["stages"][-1]["passes"] / counted["visible"], share["geometry"], share["communicate"],
+                        1 - share["geometry"] - share["communicate"], stages[-1]["duration_u"] / whole)
