@@ -18,7 +18,8 @@ namespace {
 constexpr std::int64_t kRoomEnd = 0x8000;  // of databases and queues
 constexpr std::uint16_t kNoColumn = 0x7fff;
 constexpr std::int64_t kMostLanes = 65536;
-constexpr int kTextureRow = 256;  // words from a row of texels to the next
+constexpr std::int64_t kMostGrowth = 2;  // of a lane's polygons, sort-first
+constexpr int kTextureRow = 256;         // words from a row of texels to the next
 
 std::int64_t rounded_up(std::int64_t a, std::int64_t b) {
     return (a + b - 1) / b;
@@ -31,8 +32,9 @@ class Loader {
           image_(image),
           copies_(image.symbol("duplication").value_or(1)),
           has_two_rounds_(image.symbol("stride").value_or(1) > 1),
-          sends_nothing_(image.symbol("group").value_or(0) == 1),
+          has_homes_(image.symbol("sort_first").value_or(0) != 0),
           room_(static_cast<std::int64_t>(at("scratch_end"))),
+          polygon_(static_cast<std::int64_t>(at("kDatabase"))),
           descriptor_(static_cast<std::int64_t>(at("kDescriptor"))) {
         if (array.lanes() % copies_ != 0)
             throw std::invalid_argument(fmt::format(
@@ -51,6 +53,8 @@ class Loader {
         array_.set_layout(at("reciprocals"), kRoomEnd, LaneLayout::shared);
         if (image_.symbol("kRegion"))
             lay_out_region();
+        if (has_homes_)
+            lay_out_homes();
     }
 
     void load_tables() {
@@ -76,13 +80,16 @@ class Loader {
             std::int64_t own = 0;
             for (std::int64_t b = lane % groups; b < count; b += groups, ++own) {
                 array_.write(lane, address, host::to_words(polygons[static_cast<std::size_t>(b)]));
-                address += host::kTriangleWords;
+                address += static_cast<std::uint32_t>(polygon_);
             }
             set(lane, "polygons", own);
         }
         set("most", most);
         set("polygons_at", room_);
-        divide_rest(most);
+        if (has_homes_)
+            divide_homes(most);
+        else
+            divide_rest(room_ + most * polygon_);
     }
 
     void load_view(const host::TriangleView& view) {
@@ -144,6 +151,12 @@ class Loader {
             array_.set_layout(slow_word(word + 1, 0), isa::vliw::kBankWords, LaneLayout::across);
     }
 
+    void lay_out_homes() {
+        const std::uint32_t lists = at("wanted");
+        array_.set_layout(slow_word(0, 0) + lists, isa::vliw::kBankWords - lists,
+                          LaneLayout::along);
+    }
+
     void set(std::string_view symbol, std::int64_t value, std::uint32_t offset = 0) {
         array_.write_all(at(symbol) + offset, std::array{word(symbol, value)});
     }
@@ -153,7 +166,10 @@ class Loader {
     }
 
     void check_fit(std::int64_t count, std::int64_t most) const {
-        const std::int64_t fitting = (kRoomEnd - room_ - 2 * descriptor_) / host::kTriangleWords;
+        const std::int64_t fitting =
+            has_homes_
+                ? (kRoomEnd - room_ - 3 * polygon_ - 2 * descriptor_) / (kMostGrowth * polygon_)
+                : (kRoomEnd - room_ - 2 * descriptor_) / polygon_;
         if (most <= fitting)
             return;
         const std::int64_t lanes = copies_ * rounded_up(count, fitting);
@@ -165,28 +181,38 @@ class Loader {
                                 : fmt::format("not even {} lanes would do", kMostLanes)));
     }
 
-    std::int64_t sent_of(std::int64_t half, std::int64_t most) const {
-        if (sends_nothing_)
-            return 2 * half;
-        return has_two_rounds_ ? half : std::min(half, most);
+    // Behind the database: descriptors to be sent and received. By strides both arrays are sent
+    // from and received into. Otherwise what is received follows what is sent, which must only
+    // leave room for one.
+    void divide_rest(std::int64_t begin) {
+        const std::int64_t descriptors = (kRoomEnd - begin) / descriptor_;
+        const std::int64_t sent = has_two_rounds_ ? descriptors / 2 : descriptors - 1;
+        set("source_at", begin);
+        set("source_end", begin + sent * descriptor_);
+        set("receive_at", begin + sent * descriptor_);
+        set("receive_end", begin + descriptors * descriptor_);
     }
 
-    void divide_rest(std::int64_t most) {
-        const std::int64_t begin = room_ + most * host::kTriangleWords;
-        const std::int64_t half = (kRoomEnd - begin) / 2 / descriptor_;  // descriptors
-        const std::int64_t middle = begin + sent_of(half, most) * descriptor_;
-        set("source_at", begin);
-        set("source_end", middle);
-        set("receive_at", middle);
-        set("receive_end", middle + (kRoomEnd - middle) / descriptor_ * descriptor_);
+    // Sort-first: polygons wander, so lanes have room for more than at first, and for one that
+    // passes. What a lane draws are a few of its own and copies, and it makes descriptors of all.
+    void divide_homes(std::int64_t most) {
+        const std::int64_t homes = room_ + (kMostGrowth * most + 1) * polygon_;
+        const std::int64_t drawn = (kRoomEnd - homes) / (polygon_ + descriptor_);
+        const std::int64_t copies = homes + drawn * polygon_;
+        set("homes_end", homes);
+        set("receive_at", homes);
+        set("receive_end", copies);
+        set("source_at", copies);
+        set("source_end", copies + drawn * descriptor_);
     }
 
     LockstepArray& array_;
     const isa::Image& image_;
     std::int64_t copies_;
     bool has_two_rounds_;
-    bool sends_nothing_;
+    bool has_homes_;
     std::int64_t room_;        // its first word
+    std::int64_t polygon_;     // words
     std::int64_t descriptor_;  // words
 };
 

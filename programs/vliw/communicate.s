@@ -1,7 +1,8 @@
 ; SPDX-License-Identifier: MIT
 ; Sort-middle communication on columns: every descriptor comes to each lane whose column it covers, once (Eldridge 1995, 5.1 to 5.3, 7.4, A.2.2).
 ;
-; stride 1: one round, by passes of 1. A descriptor that its own lane wants goes all the way round, so none is ever copied.
+; stride 1: one round, by passes of 1. A descriptor that its own lane wants goes all the way round, so none is ever copied. Received is behind the
+;   last descriptor to be sent: so it makes no difference how many a lane sends, as long as both fit.
 ; stride d: two rounds. The far one, by passes of d, brings a descriptor from lane s to each lane t = s + k d, k = 1 ... lanes / d, with a
 ;   destination among the d lanes behind t. What is kept is sent on in the near round, by at most d passes of 1, so that nobody gets it
 ;   twice. The near round receives into the other array, which the far one has sent from.
@@ -42,7 +43,8 @@ communicate:
         .if gt stride-1
         begin_round receive_at, receive_end, prepare_far
         .else
-        begin_round receive_at, receive_end, prepare_near
+        st      own_end, received_at
+        begin_round received_at, receive_end, prepare_near
         .endc
 
         .if gt stride-1
@@ -155,13 +157,13 @@ communicate_end:
         wake
         .if gt stride-1
         ld      r1, source_at
+        st      r1, received_at
         .else
-        ld      r1, receive_at
+        ld      r1, received_at
         .endc
         ld      r2, link_into
         sub     r3, r2, r1
         mul     r3, r3, #65536/kDescriptor+1, 16        ; exact up to 2520 descriptors
-        st      r1, received_at
         st      r2, received_end
         st      r3, receive_count
         setp    normalise

@@ -5,7 +5,8 @@
 ; What the lane draws is listed by address from `wanted` to wanted_end: some of its own, where they are, and what it receives. Its own are listed
 ; at the preparation, so they never travel round the ring.
 ; dense 1: a descriptor goes no further than it must; 0: group - 1 passes.
-; Needs lanes a multiple of group: otherwise error 3 and halt. A receive array with room for one descriptor more than it keeps: error 2.
+; Received is behind the lane's own, up to receive_end.
+; Needs lanes a multiple of group: otherwise error 3 and halt. Room for one descriptor more than the lane keeps: error 2.
 
         .include "pass.s"
 
@@ -26,7 +27,8 @@ communicate:
         mul     own_end, own_end, #kDescriptor
         add     own_end, own_end, own
         .if gt group-1
-        begin_round receive_at, receive_end, prepare_region
+        st      own_end, received_at
+        begin_round received_at, receive_end, prepare_region
         .else
         st      own, link_next
         st      own_end, link_end

@@ -252,7 +252,7 @@ TEST(VliwCommunicationOverflow, HaltsWithErrorTwoOnTheLanesThatAreFull) {
     Boxes boxes(16);
     boxes[1] = {{8, 9, 0, 0}, {9, 9, 0, 0}, {9, 9, 0, 0}};
     VliwRenderer renderer = renderer_with(boxes, {});
-    renderer.write(9, "receive_end", kReceiveAt + 3 * kDescriptorWords);
+    renderer.write(9, "receive_end", kSourceAt + 3 * kDescriptorWords);
     ASSERT_TRUE(renderer.run());
     for (int lane = 0; lane < 16; ++lane) {
         EXPECT_EQ(renderer.read(lane, "error"), lane == 9 ? 2 : 0);
@@ -263,7 +263,7 @@ TEST(VliwCommunicationOverflow, HasRoomForOneLessThanTheArray) {
     Boxes boxes(16);
     boxes[1] = {{8, 9, 0, 0}, {9, 9, 0, 0}};
     VliwRenderer renderer = renderer_with(boxes, {});
-    renderer.write(9, "receive_end", kReceiveAt + 3 * kDescriptorWords);
+    renderer.write(9, "receive_end", kSourceAt + 3 * kDescriptorWords);
     ASSERT_TRUE(renderer.run());
     EXPECT_EQ(renderer.read(9, "error"), 0);
     EXPECT_EQ(renderer.read(9, "receive_count"), 2);

@@ -200,7 +200,7 @@ TEST(VliwRegionErrors, HaltWithTwoWhereALaneKeepsMoreThanItHasRoomFor) {
     Boxes boxes(12);
     boxes[1] = {{30, 30, 0, 3}, {30, 30, 0, 3}, {30, 30, 0, 3}};
     VliwRenderer renderer = renderer_with(boxes, {{"group", 4}});
-    renderer.write(2, "receive_end", kReceiveAt + 3 * kDescriptorWords);
+    renderer.write(2, "receive_end", kSourceAt + 3 * kDescriptorWords);
     ASSERT_TRUE(renderer.run());
     for (int lane = 0; lane < 12; ++lane) {
         EXPECT_EQ(renderer.read(lane, "error"), lane == 2 ? 2 : 0);
