@@ -152,7 +152,8 @@ export async function turnsByKey({ page }) {
 }
 
 const shareOf = (node, { end_ps: end }, columns) => columns.reduce((sum, column) => sum + Number(node[column]), 0) / end;
-const WAITING = ['waiting_input_ps', 'waiting_output_ps', 'waiting_phase_ps', 'waiting_interrupt_ps'];
+// Lanes of an array that are asleep take no part, which counts as waiting.
+const WAITING = ['waiting_input_ps', 'waiting_output_ps', 'waiting_phase_ps', 'waiting_interrupt_ps', 'asleep_ps'];
 
 export async function selectionShowsTheFiles({ page, files }) {
     await page.focus('#drawing');
@@ -245,7 +246,7 @@ export async function binsShowTheMessages({ files }) {
     const node = files.nodes.length >> 1;
     const waited = messages.filter((m) => Number(m.destination) === node).map((m) => [Number(m.delivered_ps), Number(m.consumed_ps)]);
     close(unpackBins(input, node, bins), meansOfBins(waited, binPs, bins, end), input.scale, 'input queue');
-    for (const state of ['busy', 'waiting_input', 'waiting_output', 'waiting_phase', 'waiting_interrupt']) {
+    for (const state of ['busy', 'waiting_input', 'waiting_output', 'waiting_phase', 'waiting_interrupt', 'asleep']) {
         const totals = inflateSync(Buffer.from(find('node', state).totals_ps, 'base64'));
         files.nodes.forEach((each, i) => assert.equal(totals.readDoubleLE(8 * i), Number(each[`${state}_ps`]), `${state} of ${each.name}`));
     }

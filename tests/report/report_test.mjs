@@ -16,7 +16,7 @@ const long = process.env.RASTERLOOM_LONG_TESTS !== undefined;
 const pictures = process.env.RASTERLOOM_SCREENSHOTS;
 const AT_ONCE = 2;
 
-const ONLY_LONG = ['geodesic12002.yaml'];
+const ONLY_LONG = ['geodesic12002.yaml', 'princeton1024-sort-last-dense.yaml', 'princeton1024-sort-last-sparse.yaml'];
 // Beside the shipped ones: what they do not have.
 const OTHERS = [
     { name: 'frames', config: 'geodesic482.yaml', changes: ['run.frames=3', 'topology.b=2', 'topology.c=1', 'screen={width: 64, height: 64}', 'scene.rotate.degrees=15'] },
