@@ -3,24 +3,22 @@
 papers/eldridge1995.py compares them. All of it is emulated time; nothing depends on the host."""
 
 import re
+import sys
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 from eldridge_formula import WORDS
 from eldridge_ring import counts
-from measuring import setting
+from measuring import ROOT
 
 CONFIG = "princeton1024-sort-middle"
 PROGRAM = "programs/vliw/sort_middle.s"
 PICTURE = 910 * 525  # cycles of a picture on the video output
 LINE = 910
-TURNS = (120, 240, 360)  # degrees: three sides of an object
+TURNS = (10, 20, 30)  # degrees
 TEXTURE = "checker"
 SAMPLES = {False: 8, True: 4}  # pixels between two looks for the next polygon; programs/vliw/options.s
-
-
-def object_of(file):
-    return (("scene.object", str(file)),)
 
 
 def changes_of(changes):
@@ -74,8 +72,13 @@ def model(emulator, scene, *arguments):
 @lru_cache(maxsize=None)
 def packed(emulator, textured):
     """Bundles by label, as the assembler's report has them."""
-    report = emulator.text("assemble", PROGRAM, "--isa", "vliw", "--pack", "-D", f"textured={int(textured)}")
+    report = emulator.text("assemble", PROGRAM, "--isa", "vliw", "--pack", "--listing", "-D", f"textured={int(textured)}")
     return {label: int(bundles) for label, bundles in re.findall(r"^(\S+) +\d+ +\d+ +(\d+) +[\d.]+$", report, re.MULTILINE)}
+
+
+def lit(found):
+    """Polygons lit on the lane with most of them: one a call but the last, which finds no more."""
+    return procedure(found, "light")["calls"] - 1
 
 
 @dataclass(frozen=True)
@@ -106,7 +109,7 @@ def stage_costs(emulator, scene, textured):
     bundles, some = packed(emulator, textured), procedure(found, "rasterise_some")
     a_round = some["cycles_u"] / rounds(emulator, found, textured)
     return StageCosts(procedure(found, "transform")["cycles_u"] / most,
-                      procedure(found, "light")["cycles_u"] / counted["instructions"]["lighting"] * 5000,
+                      procedure(found, "light")["cycles_u"] / lit(found),
                       procedure(found, "pass_near")["cycles_u"] / passes(found)[1],
                       procedure(found, "normalise_some")["cycles_u"] / max(counted["stages"][-1]["received"]),
                       bundles["rasterise_round"],
@@ -133,7 +136,7 @@ def line_figures(emulator, scene, textured):
     def a_line(items, name):
         return -(-items // procedure(found, name)["calls"])
 
-    return LineFigures(a_line(most, "transform"), a_line(counted["instructions"]["lighting"] // 5000, "light"),
+    return LineFigures(a_line(most, "transform"), a_line(lit(found), "light"),
                        a_line(passes(found)[1], "pass_near"), a_line(max(counted["stages"][-1]["received"]), "normalise_some"),
                        a_line(rounds(emulator, found, textured), "rasterise_some") * SAMPLES[textured])
 
@@ -147,7 +150,6 @@ class FrameFigures:
     visible: int
     pictures: int  # of the video output that the frame took
     slices: int  # polygons on the fullest column
-    passes: float  # on the ring, a visible polygon
     geometry: float  # share of the frame's time
     communicate: float
     rasterise: float  # the rest, waiting for the next picture included, as he counts
@@ -158,9 +160,10 @@ class FrameFigures:
 
 
 def frame_figures(emulator, scene, textured, turns=TURNS):
-    """One a side. The first frame, whose predecessor the video need not show, is left out."""
+    """One a turn, which are evenly spaced. The frame before them, whose predecessor the video need not show, is left out."""
     scene = textured_scene(scene, textured)
-    turning = (("scene.rotate.degrees", str(turns[0])), ("scene.rotate.start", "0"))
+    step = turns[1] - turns[0]
+    turning = (("scene.rotate.degrees", str(step)), ("scene.rotate.start", str(turns[0] - step)))
     found = statistics(emulator, scene + turning, "--frames", str(len(turns) + 1))
     return [frame_of(emulator, scene, found, number, degrees) for number, degrees in enumerate(turns, 1)]
 
@@ -171,5 +174,17 @@ def frame_of(emulator, scene, found, number, degrees):
     whole = found["frames"][number]["duration_u"]
     share = {name: sum(part["duration_u"] for part in stages if part["name"] == name) / whole for name in ("geometry", "communicate")}
     return FrameFigures(degrees, counted["polygons"], counted["visible"], round(whole / PICTURE), max(counted["stages"][-1]["received"]),
-                        counted["stages"][-1]["passes"] / counted["visible"], share["geometry"], share["communicate"],
+                        share["geometry"], share["communicate"],
                         1 - share["geometry"] - share["communicate"], stages[-1]["duration_u"] / whole)
+
+
+def machine_scenes(arguments):
+    """The thesis' three models, or what stands for them: Beethoven (5030 polygons), teapot (9408), crocodile (34 404)."""
+    found = {"teapot 9408": (), "teapot 34 440": (("scene.polygons", "34404"),)}
+    for name, file in (("beethoven 5030", "beethoven.ply"), ("head 37 629", "head.obj")):
+        path = (ROOT / arguments.models / file).resolve()
+        if path.exists():
+            found[name] = (("scene.object", str(path)),)
+        else:
+            print(f"{Path(sys.argv[0]).name}: {path} is not there: left out", file=sys.stderr)
+    return found

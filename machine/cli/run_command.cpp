@@ -9,6 +9,7 @@
 #include "machine/emulation/run.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
+#include "machine/node/lockstep/lockstep_array.hpp"
 #include "machine/observe/appendix_c/appendix_c_files.hpp"
 #include "machine/observe/appendix_c/appendix_c_text.hpp"
 #include "machine/observe/output_folder.hpp"
@@ -39,6 +40,7 @@ struct RunCommandOptions {
     bool bottlenecks = false;
     bool report = false;
     TraceOptions trace;
+    std::string vectors;
     std::string appendix_c;  // "table", "all" or names of processors; empty: none
     bool no_files = false;
     bool quiet = false;
@@ -168,9 +170,21 @@ void check_options(const RunCommandOptions& options, const config::MachineDescri
     }
 }
 
+void use_vectors(const std::string& name) {
+    const std::vector<std::string> paths = LockstepArray::paths();
+    if (std::find(paths.begin(), paths.end(), name) == paths.end()) {
+        config::refuse({"--vectors", 0, 0}, {}, name, "this host has no such vector instructions",
+                       fmt::format("one of {}", fmt::join(paths, ", ")));
+    }
+    LockstepArray::use_path(name);
+}
+
 void run(const RunCommandOptions& options, Session& session) {
     const config::MachineDescription machine = load(options.config, session);
     check_options(options, machine);
+    if (!options.vectors.empty()) {
+        use_vectors(options.vectors);
+    }
     emulation::RunOptions run_options;
     run_options.traces = to_run(options.trace);
     std::optional<observe::OutputFolder> folder;
@@ -225,6 +239,12 @@ void add_run_command(CLI::App& app, Session& session) {
         ->add_option("--threads", options->config.threads,
                      "Emulate on so many threads, or auto; changes no result: run.threads")
         ->type_name("N");
+    command
+        ->add_option(
+            "--vectors", options->vectors,
+            "Emulate the lanes of an array by these vector instructions, such as AVX2, not "
+            "by the best that the host has; changes no result")
+        ->type_name("NAME");
     command
         ->add_option("--out", options->out,
                      "Folder for the files; default: out/ and the configuration's name")
