@@ -102,7 +102,7 @@ def plot_figure(path, draw, title, x_label, y_label):
 
 
 def plot_pictures(path, pictures):
-    """Grey pictures, arrays of 0 to 255, side by side."""
+    """Pictures side by side: grey, arrays of 0 to 255, or in colour."""
     import matplotlib.image
     import numpy
     path.parent.mkdir(parents=True, exist_ok=True)

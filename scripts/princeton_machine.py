@@ -13,10 +13,13 @@ from eldridge_ring import counts
 from measuring import ROOT
 
 CONFIG = "princeton1024-sort-middle"
+SMALL = ()  # the configuration's own teapot, of 9408 triangles
+LARGE = (("scene.polygons", "34404"),)  # 34 440
 PROGRAM = "programs/vliw/sort_middle.s"
 PICTURE = 910 * 525  # cycles of a picture on the video output
 LINE = 910
 TURNS = (10, 20, 30)  # degrees
+STRIDES = (1, 2, 4, 8, 16, 32)  # of the far passes; 1: none
 TEXTURE = "checker"
 SAMPLES = {False: 8, True: 4}  # pixels between two looks for the next polygon; programs/vliw/options.s
 
@@ -178,9 +181,42 @@ def frame_of(emulator, scene, found, number, degrees):
                         1 - share["geometry"] - share["communicate"], stages[-1]["duration_u"] / whole)
 
 
+def passes_a_polygon(emulator, scene, **options):
+    """Of one place, a visible polygon."""
+    return passes(array(emulator, scene, **options))[1] / model(emulator, scene)["visible"]
+
+
+def far_pass(emulator, scene, stride):
+    found = array(emulator, scene, stride=stride)
+    return procedure(found, "pass_far")["cycles_u"] / passes(found, stride)[0]
+
+
+def strides_on_machine(emulator, scene):
+    """Cycles to communicate, by stride."""
+    return {d: phase(array(emulator, scene, stride=d), "communicate")["cycles_u"] for d in STRIDES}
+
+
+def geometry_and_communication(emulator, scene, copies):
+    """Cycles a visible polygon."""
+    found = array(emulator, scene, duplication=copies)
+    return (phase(found, "geometry")["cycles_u"] + phase(found, "communicate")["cycles_u"]) / model(emulator, scene)["visible"]
+
+
+def share_of(emulator, scene, stage):
+    """Of all cycles."""
+    found = array(emulator, scene)
+    return phase(found, stage)["cycles_u"] / found["cycles_u"]
+
+
+def dispatching(emulator, scene):
+    """Cycles of a scanline before the program's procedure begins."""
+    dispatch = procedure(array(emulator, scene, line_locked=True), "dispatch")
+    return dispatch["cycles_u"] / dispatch["calls"]
+
+
 def machine_scenes(arguments):
     """The thesis' three models, or what stands for them: Beethoven (5030 polygons), teapot (9408), crocodile (34 404)."""
-    found = {"teapot 9408": (), "teapot 34 440": (("scene.polygons", "34404"),)}
+    found = {"teapot 9408": SMALL, "teapot 34 440": LARGE}
     for name, file in (("beethoven 5030", "beethoven.ply"), ("head 37 629", "head.obj")):
         path = (ROOT / arguments.models / file).resolve()
         if path.exists():

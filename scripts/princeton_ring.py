@@ -3,9 +3,8 @@
 
 from eldridge_formula import least
 from measuring import EmulatorError, table
-from princeton_machine import array, machine_scenes, model, passes, phase
+from princeton_machine import STRIDES, array, machine_scenes, model, passes, phase
 
-STRIDES = (1, 2, 4, 8, 16, 32)
 BEST_STRIDE = 16
 COPIES = (1, 2, 4, 8, 16)
 LANES = (768, 1024, 2048, 4096)
@@ -52,13 +51,15 @@ def best(rows, side):
 
 def strides(emulator, arguments):
     """Not line-locked: a pass of 32 places does not fit a scanline. Shaded."""
+    summary = []
     for name, scene in machine_scenes(arguments).items():
-        print(f"### {name}\n")
-        for dense in (True, False):
+        for kind, dense in (("dense", True), ("sparse", False)):
             rows = {d: where_it_fits(emulator, scene, d, dense) for d in STRIDES}
-            table([f"stride d, {'dense' if dense else 'sparse'}", *HEAD, "whole frame, cycles a visible polygon"],
+            table([f"{name}, {kind}: stride", *HEAD, "whole frame, cycles a visible polygon"],
                   [[d, *cells(row, lambda row: [row["frame"]])] for d, row in rows.items()])
-            print(f"Best stride, speed-up: machine {best(rows, 0)}; model {best(rows, 1)}. Published: 8 or 16; 1.96, 2.40 and 1.96.\n")
+            if all(rows.values()):
+                summary.append([f"{name}, {kind}", best(rows, 0), best(rows, 1)])
+    table(["best stride, speed-up by it (published: 8 or 16; 1.96, 2.40, 1.96)", "machine", "model"], summary)
 
 
 def copies(emulator, arguments):

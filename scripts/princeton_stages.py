@@ -2,19 +2,18 @@
 """Stages and frames of the emulated Princeton Engine beside Eldridge's chapter 8."""
 
 from measuring import table
-from princeton_machine import array, frame_figures, line_figures, machine_scenes, named, phase, stage_costs
+from princeton_machine import SMALL, array, frame_figures, line_figures, machine_scenes, phase, stage_costs
 
-TEAPOT = ()
 PUBLISHED = {  # table 8.1: frames/s, polygons/s, shares of geometry, communication, rasterising
-    "beethoven 5030": "10, 32 000 to 36 000, 8 to 9, 42 to 46, 45 to 50",
-    "teapot 9408": "10, 43 000 to 44 000, 10 to 12, 52 to 55, 35 to 36",
-    "teapot 34 440": "crocodile 34 404: 6, 49 800 to 62 400, 13, 57 to 69, 18 to 30",
-    "head 37 629": "the same"}
+    "beethoven 5030": "10; 32,000 to 36,000; 8 to 9, 42 to 46, 45 to 50",
+    "teapot 9408": "10; 43,000 to 44,000; 10 to 12, 52 to 55, 35 to 36",
+    "teapot 34 440": "crocodile: 6; 49,800 to 62,400; 13, 57 to 69, 18 to 30",
+    "head 37 629": "crocodile"}
 
 
 def stages(emulator, _arguments):
     """The teapot's frame."""
-    shaded, textured = (stage_costs(emulator, TEAPOT, kind) for kind in (False, True))
+    shaded, textured = (stage_costs(emulator, SMALL, kind) for kind in (False, True))
     print("### Cycles of an item\n")
     table(["item", "shaded", "textured", "Eldridge"],
           [["keep or reject a polygon", f"{shaded.transform:.0f}", f"{textured.transform:.0f}", "1000"],
@@ -25,7 +24,7 @@ def stages(emulator, _arguments):
            ["a pixel", f"{shaded.sample:.1f}", f"{textured.sample:.1f}", "80 shaded, 202 textured"],
            ["a pixel with its share of looking", f"{shaded.sample + shaded.look / 8:.1f}", f"{textured.sample + textured.look / 4:.1f}", ""]])
     print("### Of a scanline of 910 cycles, line-locked\n")
-    shaded, textured = (line_figures(emulator, TEAPOT, kind) for kind in (False, True))
+    shaded, textured = (line_figures(emulator, SMALL, kind) for kind in (False, True))
     table(["items a scanline", "shaded", "textured", "Eldridge"],
           [["polygons kept or rejected", shaded.transformed, textured.transformed, "every polygon lit: 1/7 shaded, 1/11 textured"],
            ["visible ones lit", shaded.lit, textured.lit, ""],
@@ -33,21 +32,30 @@ def stages(emulator, _arguments):
            ["polygons normalised", shaded.normalised, textured.normalised, "2"],
            ["pixels", shaded.samples, textured.samples, "8 shaded, 4 textured"]])
     print("### Operations a bundle, lanes awake\n")
-    found = array(emulator, TEAPOT)
+    found = array(emulator, SMALL)
     rows = [[name, phase(found, name)["cycles_u"], f"{phase(found, name)['operations_per_bundle']:.2f}", f"{100 * phase(found, name)['awake']:.1f} %"]
             for name in ("geometry", "communicate", "normalise", "rasterise")]
     table(["phase, shaded, not line-locked", "cycles", "operations a bundle", "lanes awake"],
           [*rows, ["all", found["cycles_u"], f"{found['operations_per_bundle']:.2f}", f"{100 * found['awake']:.1f} %"]])
 
 
+def spread(values, shown="{:,}"):
+    low, high = shown.format(min(values)), shown.format(max(values))
+    return low if low == high else f"{low} to {high}"
+
+
 def table_8_1(emulator, arguments):
+    """From the least to the greatest of three sides."""
     rows = []
     for name, scene in machine_scenes(arguments).items():
         for textured in (False, True):
-            for frame in frame_figures(emulator, scene, textured):
-                rows.append([f"{name}, {'textured' if textured else 'shaded'}, {frame.degrees}", frame.visible, frame.slices, frame.pictures,
-                             f"{frame.a_second():.1f}", f"{frame.visible * frame.a_second():,.0f}",
-                             *(f"{100 * share:.1f}" for share in (frame.geometry, frame.communicate, frame.rasterise, frame.waiting)),
-                             PUBLISHED[name] if frame.degrees == 10 and not textured else ""])
-    table(["model, degrees", "visible", "most on a column", "pictures a frame", "frames/s", "visible polygons/s", "geometry %", "communication %",
+            frames = frame_figures(emulator, scene, textured)
+            rows.append([f"{name}, {'textured' if textured else 'shaded'}", spread([frame.visible for frame in frames]),
+                         spread([frame.slices for frame in frames]), spread([frame.pictures for frame in frames]),
+                         spread([frame.a_second() for frame in frames], "{:.1f}"),
+                         spread([frame.visible * frame.a_second() for frame in frames], "{:,.0f}"),
+                         *(spread([100 * getattr(frame, part) for frame in frames], "{:.1f}")
+                           for part in ("geometry", "communicate", "rasterise", "waiting")),
+                         PUBLISHED[name]])
+    table(["model", "visible", "most on a column", "pictures a frame", "frames/s", "visible polygons/s", "geometry %", "communication %",
            "rasterising %, waiting included", "waiting %", "published: frames/s, polygons/s, %"], rows)
