@@ -122,8 +122,13 @@ config::MachineDescription small(const std::string& name) {
         return shipped(name, {"topology.b=2", "topology.c=1", "screen={width: 64, height: 64}",
                               "scene.object=cube", "run.frames=2"});
     }
-    if (whole.nodes.isa == "vliw") {
+    if (name == "princeton1024-sort-middle.yaml") {  // with its video
         return shipped(name, {"scene={object: cube}"});
+    }
+    if (whole.nodes.isa == "vliw") {
+        return shipped(name, {"scene={object: cube}", "topology.nodes=128",
+                              "screen={width: 64, height: 64}", "nodes.symbols.screen_columns=64",
+                              "nodes.symbols.screen_rows=64", "array.line_locked=false"});
     }
     if (whole.scene) {
         return shipped(name, {"screen={width: 128, height: 128}", "scene=scenes/random.yaml",
