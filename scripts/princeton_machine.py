@@ -20,7 +20,9 @@ PICTURE = 910 * 525  # cycles of a picture on the video output
 LINE = 910
 TURNS = (10, 20, 30)  # degrees
 STRIDES = (1, 2, 4, 8, 16, 32)  # of the far passes; 1: none
+BEST_STRIDE = 16
 TEXTURE = "checker"
+CROWDED = "does not fit a lane's memory"
 SAMPLES = {False: 8, True: 4}  # pixels between two looks for the next polygon; programs/vliw/options.s
 
 
@@ -46,6 +48,11 @@ def array(emulator, scene, line_locked=False, **options):
     """The array's part of the statistics of one frame."""
     locked = (("array.line_locked", "true" if line_locked else "false"),)
     return statistics(emulator, scene + locked + (symbols(**options) if options else ()))["array"]
+
+
+def is_crowded(error):
+    """Whether a run failed since there are too many polygons or descriptors for a lane's memory."""
+    return "array is full" in str(error) or "polygons on" in str(error)
 
 
 def named(rows, name):
@@ -162,12 +169,13 @@ class FrameFigures:
         return clock / PICTURE / self.pictures
 
 
-def frame_figures(emulator, scene, textured, turns=TURNS):
+def frame_figures(emulator, scene, textured, turns=TURNS, **options):
     """One a turn, which are evenly spaced. The frame before them, whose predecessor the video need not show, is left out."""
     scene = textured_scene(scene, textured)
     step = turns[1] - turns[0]
     turning = (("scene.rotate.degrees", str(step)), ("scene.rotate.start", str(turns[0] - step)))
-    found = statistics(emulator, scene + turning, "--frames", str(len(turns) + 1))
+    program = symbols(**options) if options else ()
+    found = statistics(emulator, scene + program + turning, "--frames", str(len(turns) + 1))
     return [frame_of(emulator, scene, found, number, degrees) for number, degrees in enumerate(turns, 1)]
 
 

@@ -3,9 +3,8 @@
 
 from eldridge_formula import least
 from measuring import EmulatorError, table
-from princeton_machine import STRIDES, array, machine_scenes, model, passes, phase
+from princeton_machine import BEST_STRIDE, CROWDED, STRIDES, array, is_crowded, machine_scenes, model, passes, phase
 
-BEST_STRIDE = 16
 COPIES = (1, 2, 4, 8, 16)
 LANES = (768, 1024, 2048, 4096)
 HEAD = ["passes by d: machine, model", "passes by 1: machine, model", "communication, cycles a visible polygon: machine, model"]
@@ -31,14 +30,14 @@ def where_it_fits(emulator, scene, *arguments, **options):
     try:
         return communication(emulator, scene, *arguments, **options)
     except EmulatorError as error:
-        if "array is full" in str(error) or "polygons on" in str(error):
-            return None
-        raise
+        if not is_crowded(error):
+            raise
+        return None
 
 
 def cells(row, *further):
     if row is None:
-        return ["does not fit a lane's memory", *("" for _ in range(2 + len(further)))]
+        return [CROWDED, *("" for _ in range(2 + len(further)))]
     return [*("{:,}, {:,}".format(*row[key]) for key in ("far", "near")), "{:.1f}, {:.1f}".format(*row["cycles"]),
             *(f"{sum(of(row)):.1f}" for of in further)]
 
