@@ -235,9 +235,12 @@ class Taker {
 
     void fill_ring(const Stretch& stretch) const {
         auto& ring = *stretch.block->parts->ring;
-        const std::size_t start = ring_offset_ + stretch.block->index * stretch.block->width;
-        each_own(stretch, transfer_.last_put, [&](std::size_t lane, std::uint16_t word) {
-            ring[(start + lane) % ring.size()] = word;
+        const std::size_t width = stretch.block->width;
+        std::size_t place =
+            (ring_offset_ + stretch.block->index * width + stretch.first) % ring.size();
+        each_own(stretch, transfer_.last_put, [&](std::size_t, std::uint16_t word) {
+            ring[place] = word;
+            place = place + 1 == ring.size() ? 0 : place + 1;
         });
     }
 

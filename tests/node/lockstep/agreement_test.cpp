@@ -356,14 +356,45 @@ void point(const std::function<void(std::int64_t, int, std::uint16_t)>& set_reg,
     }
 }
 
+// ALU and multiplier work between the moves, now and then with registers that words move through;
+// one word is handed on from a register of which nothing was loaded.
+void add_work(std::vector<Bundle>& bundles, std::mt19937_64& random) {
+    const auto below = [&random](std::uint64_t n) { return random() % n; };
+    const auto some_reg = [&] {
+        return static_cast<std::uint8_t>(below(12) == 0 ? 8 + below(14) : 22 + below(6));
+    };
+    for (Bundle& bundle : bundles) {
+        if (below(8) == 0 && bundle.comm.op == CommOp::put) {
+            bundle.comm.reg = 28;
+        }
+        Bundle worked = bundle;
+        if (below(4) == 0) {
+            const auto op = static_cast<AluOp>(1 + below(isa::vliw::kAluOps - 1));
+            worked.alu = {.op = op, .dst = some_reg(), .a = some_reg(), .b = some_reg()};
+        }
+        if (below(8) == 0) {
+            worked.mul = {.op = MulOp::mul, .dst = some_reg(), .a = some_reg(), .immediate = true};
+            worked.immediate = static_cast<std::uint16_t>(random());
+        }
+        worked = without_unused_fields(worked);
+        if (!conflict(worked)) {
+            bundle = worked;
+        }
+    }
+}
+
 TEST(LockstepArrayRecords, AreHandedOnAsByTheInterpreter) {
     const auto paths = LockstepArray::paths();
-    for (int kind = 0; kind < 24; ++kind) {
+    for (int kind = 0; kind < 60; ++kind) {
         const std::int64_t lanes =
             std::array{1, 3, 100, 290, 512}[static_cast<std::size_t>(kind % 5)];
-        auto bundles = hand_on(20, kind % 4 == 3 ? CommOp::left : CommOp::right, 1 + kind * 7);
+        auto bundles =
+            hand_on(20, kind % 4 == 3 ? CommOp::left : CommOp::right, 1 + kind * 7 % 170);
         bundles.front().sleep = kind % 7 == 6 ? SleepOp::slf : SleepOp::none;  // all fall asleep
-        bundles[kind % 2 == 0 ? 0 : 30].alu = {.op = AluOp::add, .dst = 22, .a = 1, .b = 2};
+        std::mt19937_64 random(static_cast<std::uint64_t>(kind));
+        if (kind % 4 != 0) {
+            add_work(bundles, random);
+        }
         const auto program = testing::program_of(bundles);
         Interpreter interpreter(program, lanes);
         isa::vliw::testing::randomize(interpreter, 5);
