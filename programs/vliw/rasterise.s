@@ -63,11 +63,13 @@ at = at+1
         ld      hi, at+3(polygon)
         .endm
 
-; Lanes that are done take their next descriptor, if they have one.
+; Lanes that are done take their next descriptor, if they have one. Those that have none go back by the rows that they have gone down, so that
+; they stay in their frame buffer.
         .macro  advance
         tgeu    pixel, pixels
         slf
         mov     pixels, r0
+        sub     pixel, pixel, #samples*kPixel
         ld      r16, raster_next
         ld      r17, received_end
         tltu    r16, r17
@@ -97,6 +99,8 @@ rasterise:
         st      r1, raster_next
         mov     polygon, r1             ; lanes that have nothing must read somewhere
         mov     pixels, r0
+        ld      pixel, drawing
+        add     pixel, pixel, #samples*kPixel
         raster_words st
         setp    rasterise_some
         line
