@@ -11,20 +11,25 @@
 namespace rasterloom::lockstep {
 namespace {
 
-// Pieces of a fixed size, which compilers make vectors of; the last one lies over the one before.
-void copy(std::uint16_t* to, const std::uint16_t* from, int count) {
-    constexpr int kPiece = 16;  // words
-    if (count < kPiece) {
-        for (int i = 0; i < count; ++i) {
-            to[i] = from[i];
-        }
-        return;
-    }
-    for (int i = 0; i < count - kPiece; i += kPiece) {
+// Words that compilers copy by vectors.
+constexpr int kPiece = 16;
+
+// The last piece lies over the one before.
+template <int kWholePieces>
+void copy_pieces(std::uint16_t* to, const std::uint16_t* from, int count) {
+    for (int i = 0; i < kWholePieces * kPiece; i += kPiece) {
         std::memcpy(to + i, from + i, kPiece * sizeof(*to));
     }
     std::memcpy(to + count - kPiece, from + count - kPiece, kPiece * sizeof(*to));
 }
+
+void copy_words(std::uint16_t* to, const std::uint16_t* from, int count) {
+    for (int i = 0; i < count; ++i) {
+        to[i] = from[i];
+    }
+}
+
+using Copy = void (*)(std::uint16_t*, const std::uint16_t*, int);
 
 // Each lane's words at its pointer.
 class Pointers {
@@ -167,70 +172,117 @@ class Taker {
         return stretch;
     }
 
-    // do_word(lane, word) for each lane of the stretch and the source's word of the lane's own.
-    template <class DoWord>
-    void each_own(const Stretch& stretch, int source, DoWord do_word) const {
-        const auto [in_register, number] = transfer_.sources[static_cast<std::size_t>(source)];
-        const std::uint16_t* const row = stretch.block->row(in_register ? number : 0);
-        const Pointers from = load_pointers(*stretch.block, transfer_);
-        for (std::size_t lane = stretch.first; lane < stretch.first + stretch.count; ++lane) {
-            do_word(lane, in_register ? row[lane] : *from(lane, number));
+    void find_places(const Stretch& stretch) {
+        const Pointers own = load_pointers(*stretch.block, transfer_);
+        const Pointers to = store_pointers(*stretch.block, transfer_);
+        for (std::size_t i = 0; i < stretch.count; ++i) {
+            own_[i] = own(stretch.first + i, 0);
+            to_[i] = to(stretch.first + i, 0);
         }
-    }
-    // The same of the neighbour's.
-    template <class DoWord>
-    void each_taken(const Stretch& stretch, int source, DoWord do_word) const {
         if (stretch.neighbours != nullptr) {
-            const Stretch there{stretch.neighbours, stretch.first_neighbour, stretch.count};
-            each_own(there, source, [&](std::size_t lane, std::uint16_t word) {
-                do_word(lane - there.first + stretch.first, word);
-            });
-            return;
-        }
-        const std::uint16_t* from = laid_out_.data() + stretch.first_neighbour * kMaxTransferWords +
-                                    static_cast<std::size_t>(source);
-        for (std::size_t i = 0; i < stretch.count; ++i, from += kMaxTransferWords) {
-            do_word(stretch.first + i, *from);
+            const Pointers from = load_pointers(*stretch.neighbours, transfer_);
+            for (std::size_t i = 0; i < stretch.count; ++i) {
+                from_[i] = from(stretch.first_neighbour + i, 0);
+            }
         }
     }
 
+    // do_word(i, word) for each lane of the stretch, with the lane's own word of the source.
+    template <class DoWord>
+    void each_own(const Stretch& stretch, int source, DoWord do_word) const {
+        const auto [in_register, number] = transfer_.sources[static_cast<std::size_t>(source)];
+        if (in_register) {
+            each_of(stretch.block->row(number) + stretch.first, 1, stretch.count, do_word);
+        } else {
+            each_at(own_, number, stretch.count, do_word);
+        }
+    }
+    // The same with the neighbour's.
+    template <class DoWord>
+    void each_taken(const Stretch& stretch, int source, DoWord do_word) const {
+        const auto [in_register, number] = transfer_.sources[static_cast<std::size_t>(source)];
+        if (stretch.neighbours == nullptr) {
+            each_of(laid_out_.data() + stretch.first_neighbour * kMaxTransferWords +
+                        static_cast<std::size_t>(source),
+                    kMaxTransferWords, stretch.count, do_word);
+        } else if (in_register) {
+            each_of(stretch.neighbours->row(number) + stretch.first_neighbour, 1, stretch.count,
+                    do_word);
+        } else {
+            each_at(from_, number, stretch.count, do_word);
+        }
+    }
+    template <class DoWord>
+    static void each_of(const std::uint16_t* words, std::size_t stride, std::size_t count,
+                        DoWord do_word) {
+        for (std::size_t i = 0; i < count; ++i) {
+            do_word(i, words[i * stride]);
+        }
+    }
+    template <class DoWord>
+    static void each_at(const auto& places, std::ptrdiff_t offset, std::size_t count,
+                        DoWord do_word) {
+        for (std::size_t i = 0; i < count; ++i) {
+            do_word(i, places[i][offset]);
+        }
+    }
+
+    auto store_at(std::ptrdiff_t offset) const {
+        return [this, offset](std::size_t i, std::uint16_t word) { to_[i][offset] = word; };
+    }
+
     void take(const Stretch& stretch) {
+        find_places(stretch);
         fill_ring(stretch);
         find_results(stretch);
-        const Pointers to = store_pointers(*stretch.block, transfer_);
         for (const auto& [reg, offset] : transfer_.register_stores) {
-            const std::uint16_t* const row = stretch.block->row(reg);
-            for (std::size_t lane = stretch.first; lane < stretch.first + stretch.count; ++lane) {
-                *to(lane, offset) = row[lane];
-            }
+            each_of(stretch.block->row(reg) + stretch.first, 1, stretch.count, store_at(offset));
         }
         if (stretch.neighbours != nullptr) {
-            move(stretch, to);
+            move(stretch);
         } else {
             for (const auto& [source, offset] : transfer_.stores) {
-                each_taken(stretch, source,
-                           [&to, offset = offset](std::size_t lane, std::uint16_t word) {
-                               *to(lane, offset) = word;
-                           });
+                each_taken(stretch, source, store_at(offset));
             }
         }
         keep_results(stretch);
     }
 
-    void move(const Stretch& stretch, const Pointers& to) const {
-        const Pointers from = load_pointers(*stretch.neighbours, transfer_);
+    void move(const Stretch& stretch) const {
+        if (transfer_.moves.size() == 1) {
+            const int count = transfer_.moves.front().count;
+            switch (count < kPiece ? -1 : (count - 1) / kPiece) {
+                case 0:
+                    move_by<copy_pieces<0>>(stretch);
+                    break;
+                case 1:
+                    move_by<copy_pieces<1>>(stretch);
+                    break;
+                case 2:
+                    move_by<copy_pieces<2>>(stretch);
+                    break;
+                case 3:
+                    move_by<copy_pieces<3>>(stretch);
+                    break;
+                default:
+                    move_by<copy_words>(stretch);
+            }
+        } else {
+            move_by<copy_words>(stretch);
+        }
+        for (const auto& [reg, offset] : transfer_.handed) {
+            each_of(stretch.neighbours->row(reg) + stretch.first_neighbour, 1, stretch.count,
+                    store_at(offset));
+        }
+    }
+    // All moves of a lane before those of the next one, which may be its neighbour.
+    template <Copy kCopy>
+    void move_by(const Stretch& stretch) const {
         each_lane(0, stretch.count, goes_downwards(transfer_), [&](std::size_t i) {
-            for (const Transfer::Move& piece : transfer_.moves) {
-                copy(to(stretch.first + i, piece.to), from(stretch.first_neighbour + i, piece.from),
-                     piece.count);
+            for (const auto& [from, to, count] : transfer_.moves) {
+                kCopy(to_[i] + to, from_[i] + from, count);
             }
         });
-        for (const auto& [reg, offset] : transfer_.handed) {
-            const std::uint16_t* const row = stretch.neighbours->row(reg) + stretch.first_neighbour;
-            for (std::size_t i = 0; i < stretch.count; ++i) {
-                *to(stretch.first + i, offset) = row[i];
-            }
-        }
     }
 
     void fill_ring(const Stretch& stretch) const {
@@ -247,15 +299,14 @@ class Taker {
     // Registers' values wait until nobody reads what registers and memory had before.
     void find_results(const Stretch& stretch) {
         std::uint16_t* to = results_.data();
-        const auto note = [&](std::size_t lane, std::uint16_t word) {
-            to[lane - stretch.first] = word;
-        };
         for (const Transfer::Result& result : transfer_.own_results) {
-            each_own(stretch, result.source, note);
+            each_own(stretch, result.source,
+                     [to](std::size_t i, std::uint16_t word) { to[i] = word; });
             to += kMostTogether;
         }
         for (const Transfer::Result& result : transfer_.taken_results) {
-            each_taken(stretch, result.source, note);
+            each_taken(stretch, result.source,
+                       [to](std::size_t i, std::uint16_t word) { to[i] = word; });
             to += kMostTogether;
         }
     }
@@ -273,6 +324,10 @@ class Taker {
     const Transfer& transfer_;
     std::span<const std::uint16_t> laid_out_;
     std::size_t ring_offset_;
+    // Where the pointers of a stretch's lanes point to, and its neighbours' of those to load by.
+    std::array<const std::uint16_t*, kMostTogether> own_;
+    std::array<const std::uint16_t*, kMostTogether> from_;
+    std::array<std::uint16_t*, kMostTogether> to_;
     std::array<std::uint16_t, isa::vliw::kRegisters * kMostTogether> results_;
 };
 
