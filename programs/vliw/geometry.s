@@ -72,7 +72,6 @@ kCandidate  = 29
 ; Prepares transform.
 geometry:
         wake
-        phase   1
         setp    transform
         .if ne sort_first
         phase   1                       ; sort_homes has copied the matrix

@@ -45,7 +45,7 @@ const std::vector<BadInput> kBadInputs{
     {"NoScene",
      {"boxes", "--out", "x.boxes"},
      2,
-     {"Exactly 1 option from [--mesh,--object,--random]"}},
+     {"Exactly 1 option from [--mesh,--object,--random,--machine]"}},
     {"TwoScenes",
      {"boxes", "--out", "x.boxes", "--random", "9", "--object", "cube"},
      2,

@@ -56,7 +56,7 @@ class Machine(unittest.TestCase):
 
     def test_what_does_not_fit_is_said_and_left_out(self):
         crowded = (("scene.polygons", "34404"),)
-        self.assertIsNone(where_it_fits(self.emulator, crowded, 1, copies=16))
+        self.assertIsNone(where_it_fits(self.emulator, crowded, 1, copies=64))
         self.assertEqual(cells(None, lambda row: [])[0], "does not fit a lane's memory")
         self.assertEqual(best({1: {"cycles": (9, 8)}, 8: {"cycles": (3, 8)}, 16: None}, 0), "8, 3.00")
 
