@@ -45,7 +45,7 @@ void check_ring(const Blueprint& blueprint) {
 
 // A lane of a renderer that has frame buffers draws a column; what comes as fragments needs lanes
 // even for columns that are not seen.
-void check_screen(const Blueprint& blueprint) {
+void check_columns_of_lanes(const Blueprint& blueprint) {
     const MachineDescription& machine = blueprint.description;
     const isa::Image& image = *blueprint.image;
     const auto lanes = static_cast<std::int64_t>(blueprint.topology.nodes.size());
@@ -61,6 +61,17 @@ void check_screen(const Blueprint& blueprint) {
                                 "the lanes are fewer than the columns of the program's screen",
                                 fmt::format("at least {}", columns));
         }
+    }
+}
+
+// A program counts the scanlines: it waits for its own rows to have been seen.
+void check_scanlines(const Blueprint& blueprint) {
+    const MachineDescription& machine = blueprint.description;
+    const isa::Image& image = *blueprint.image;
+    const std::int64_t rows = image.symbol("screen_rows").value_or(machine.array.visible_lines);
+    if (machine.array.line_locked && machine.array.visible_lines > rows) {
+        throw machine.error("array.visible_lines", std::to_string(machine.array.visible_lines),
+                            "the program's screen has fewer rows", fmt::format("at most {}", rows));
     }
     if (machine.array.line_locked && machine.screen.height > machine.array.visible_lines) {
         throw machine.error(
@@ -94,7 +105,8 @@ void check_array(const Blueprint& blueprint) {
     check_multiple(blueprint, "stride");
     check_multiple(blueprint, "group");
     if (machine.scene) {
-        check_screen(blueprint);
+        check_columns_of_lanes(blueprint);
+        check_scanlines(blueprint);
     }
 }
 

@@ -25,10 +25,12 @@ class HostJob {
     // At the end of frame `frame`, from 0, before anything of the next one happens: what the host
     // tells the machine then.
     virtual void frame_ended(Machine& /*machine*/, std::int64_t /*frame*/) {}
+    // Whether the machine itself shows frames, on its video output.
+    virtual bool has_video(const Machine& /*machine*/) const { return false; }
     // When a frame can be seen: at its end, when every program has done its work, or once the
-    // machine's own video output has shown it.
+    // video has shown it.
     virtual host::Picture collect(const Machine& machine) const = 0;
-    // The same moment on the machine's own video output, if it has one.
+    // The same moment on the video output, where there is one.
     virtual std::optional<host::Picture> video(const Machine& /*machine*/) const { return {}; }
     // What the reference renderer draws of the same object at frame `frame`, from 0.
     virtual host::Picture reference(std::int64_t frame) const = 0;

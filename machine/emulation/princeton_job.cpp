@@ -81,16 +81,20 @@ class PrincetonJob final : public HostJob {
         }
     }
 
+    bool has_video(const Machine& machine) const override {
+        return machine.lockstep()->settings().line_locked && has_frame_buffers(image_);
+    }
+
     host::Picture collect(const Machine& machine) const override {
         return upper_left(shown_picture(machine.lockstep()->array(), image_, columns_).picture,
                           description_.screen);
     }
 
     std::optional<host::Picture> video(const Machine& machine) const override {
-        const LockstepMachine& lockstep = *machine.lockstep();
-        if (!lockstep.settings().line_locked || !has_frame_buffers(image_)) {
+        if (!has_video(machine)) {
             return std::nullopt;
         }
+        const LockstepMachine& lockstep = *machine.lockstep();
         host::Picture picture(static_cast<int>(description_.screen.width),
                               static_cast<int>(description_.screen.height), 3);
         for (int y = 0; y < picture.height; ++y) {

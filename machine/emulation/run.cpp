@@ -49,9 +49,8 @@ class PictureCollector final : public SupervisorListener {
             ++frames_;
             job_.frame_ended(machine_, frames_ - 1);
         }
-        const LockstepMachine* lockstep = machine_.lockstep();
-        const bool has_video = lockstep != nullptr && lockstep->settings().line_locked;
-        const std::int64_t visible = has_video ? lockstep->pictures_shown() : frames_;
+        const std::int64_t visible =
+            job_.has_video(machine_) ? machine_.lockstep()->pictures_shown() : frames_;
         if (visible > static_cast<std::int64_t>(pictures_.size())) {
             pictures_.push_back(job_.collect(machine_));
             if (std::optional<host::Picture> video = job_.video(machine_)) {

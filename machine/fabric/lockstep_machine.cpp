@@ -148,7 +148,7 @@ bool LockstepMachine::show_line() {
 
 bool LockstepMachine::end_frame() {
     if (settings_.line_locked && complete_ > shown_) {
-        return fail(array_.program_counter(),
+        return fail(stopped_at(),
                     fmt::format("picture {} is complete, but the video has not shown all of "
                                 "picture {} yet",
                                 complete_, complete_ - 1));
@@ -186,7 +186,7 @@ void LockstepMachine::end_phase(int next) {
 
 void LockstepMachine::end_program() {
     if (const std::string error = error_of_lanes(); !error.empty()) {
-        fail(array_.program_counter(), error);
+        fail(stopped_at(), error);
         return;
     }
     if (complete_ == 0) {
@@ -219,6 +219,11 @@ std::string LockstepMachine::error_of_lanes() const {
         return fmt::format("the program has halted: lane {}: {}", lane, meaning);
     }
     return {};
+}
+
+// The bundle that has been executed last, where that is a `halt` or a `frame`.
+std::uint32_t LockstepMachine::stopped_at() const {
+    return std::uint32_t{array_.program_counter()} - 1;
 }
 
 bool LockstepMachine::fail(std::uint32_t program_counter, const std::string& what) {

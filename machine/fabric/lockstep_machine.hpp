@@ -92,6 +92,7 @@ class LockstepMachine final : public Component {
     void pause();
     void end_phase(int next);
     void end_program();
+    std::uint32_t stopped_at() const;
     bool fail(std::uint32_t program_counter, const std::string& what);
     bool fail_overrun();
     std::string error_of_lanes() const;

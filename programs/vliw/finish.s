@@ -59,12 +59,12 @@ begin:
 finish:
         wake
         phase   0
-        .if ne video
         .if ne line_locked
         ld      r1, scanline            ; the next one
         tlt     r1, #kRows+1
         bt      finish_wait
         .endc
+        .if ne video
         ld      r2, drawing
         ld      r3, shown
         st      r2, shown

@@ -75,25 +75,71 @@ RC_GTEST_PROP(PrincetonLoader, PutsEveryCopyOfAPolygonOnALaneOfItsResidue, ()) {
         RC_ASSERT(times == copies);
 }
 
-RC_GTEST_PROP(PrincetonLoader, DividesTheRestOfTheRoomBetweenTheQueues, ()) {
-    const int stride = 1 << *rc::gen::inRange(0, 3);
-    const int polygons = *rc::gen::inRange(1, 2 * 1191);
+constexpr const char* kSortFirst =
+    "sort_first = 1\n        .include \"memory.s\"\n        .include \"wanted.s\"\n"
+    "start:  halt\n        .end start\n";
+
+// Of a lane, by the program's symbols.
+struct Room {
+    explicit Room(PrincetonLanes& lanes)
+        : polygons_at(lanes.word(1, "polygons_at")),
+          most(lanes.word(1, "most")),
+          source_at(lanes.word(1, "source_at")),
+          source_end(lanes.word(1, "source_end")),
+          receive_at(lanes.word(1, "receive_at")),
+          receive_end(lanes.word(1, "receive_end")),
+          descriptor(static_cast<int>(lanes.at("kDescriptor"))) {}
+
+    int polygons_at, most, source_at, source_end, receive_at, receive_end, descriptor;
+};
+
+RC_GTEST_PROP(PrincetonLoader, GivesTheRestOfTheRoomToBothQueuesButForOneToBeReceived, ()) {
+    PrincetonLanes lanes(2);
+    lanes.load(numbered(*rc::gen::inRange(1, 2 * 1191)));
+    const Room room(lanes);
+    RC_ASSERT(room.polygons_at == static_cast<int>(lanes.at("scratch_end")));
+    RC_ASSERT(room.source_at == room.polygons_at + 24 * room.most);
+    RC_ASSERT(room.source_end > room.source_at);
+    RC_ASSERT(room.receive_end - room.source_end == room.descriptor);
+    RC_ASSERT(room.receive_end <= 0x8000);
+    RC_ASSERT(room.receive_end > 0x8000 - room.descriptor);
+}
+
+RC_GTEST_PROP(PrincetonLoader, HalvesTheRestOfTheRoomWhereBothQueuesReceive, ()) {
+    const int stride = 2 << *rc::gen::inRange(0, 3);
     PrincetonLanes lanes(2, fmt::format("stride = {}\n{}", stride, kNothing));
-    lanes.load(numbered(polygons));
-    const auto word = [&](const char* symbol) { return int{lanes.word(1, symbol)}; };
-    const int descriptor = static_cast<int>(lanes.at("kDescriptor"));
-    RC_ASSERT(word("polygons_at") == static_cast<int>(lanes.at("scratch_end")));
-    RC_ASSERT(word("source_at") == word("polygons_at") + 24 * word("most"));
-    RC_ASSERT(word("receive_at") == word("source_end"));
-    RC_ASSERT(word("receive_end") <= 0x8000);
-    RC_ASSERT(word("receive_end") > 0x8000 - descriptor);
-    const int sent = (word("source_end") - word("source_at")) / descriptor;
-    const int received = (word("receive_end") - word("receive_at")) / descriptor;
+    lanes.load(numbered(*rc::gen::inRange(1, 2 * 1191)));
+    const Room room(lanes);
+    const int sent = (room.source_end - room.source_at) / room.descriptor;
+    const int received = (room.receive_end - room.receive_at) / room.descriptor;
+    RC_ASSERT(room.receive_at == room.source_end);
     RC_ASSERT(sent >= 1);
-    RC_ASSERT(received >= sent);
-    RC_ASSERT(sent == word("most") || received - sent <= 1);
-    if (stride > 1)
-        RC_ASSERT(received - sent <= 1);
+    RC_ASSERT(received - sent >= 0);
+    RC_ASSERT(received - sent <= 1);
+    RC_ASSERT(room.receive_end <= 0x8000);
+    RC_ASSERT(room.receive_end > 0x8000 - room.descriptor);
+}
+
+RC_GTEST_PROP(PrincetonLoader, HasRoomForTwiceThePolygonsThenForAsManyCopiesAsDescriptors, ()) {
+    constexpr int kHome = 27;
+    PrincetonLanes lanes(2, kSortFirst);
+    lanes.load(numbered(*rc::gen::inRange(1, 2 * 500)));
+    const Room room(lanes);
+    RC_ASSERT(lanes.word(1, "homes_end") == room.polygons_at + kHome * (2 * room.most + 1));
+    RC_ASSERT(room.receive_at == lanes.word(1, "homes_end"));
+    RC_ASSERT(room.source_at == room.receive_end);
+    const int copies = (room.receive_end - room.receive_at) / kHome;
+    RC_ASSERT(copies >= 2);
+    RC_ASSERT((room.source_end - room.source_at) / room.descriptor == copies);
+    RC_ASSERT(room.source_end <= 0x8000);
+    RC_ASSERT(room.source_end > 0x8000 - room.descriptor - kHome);
+}
+
+TEST(PrincetonLoader, LeavesRoomBetweenPolygonsThatMigrate) {
+    PrincetonLanes lanes(2, kSortFirst);
+    lanes.load(numbered(6));
+    const std::uint32_t second = lanes.word(1, "polygons_at") + 27U;
+    EXPECT_EQ(lanes.array().read(1, second), 3);
 }
 
 TEST(PrincetonLoader, GivesTheTablesToEveryLane) {
@@ -201,6 +247,14 @@ TEST_F(PrincetonLoaderErrors, SayHowManyPolygonsFitAndWhatLanesWouldDo) {
     PrincetonLanes(6, std::string("duplication = 2\n") + kNothing).load(numbered(2 * 1191 + 1));
 }
 
+TEST_F(PrincetonLoaderErrors, SayHowManyPolygonsFitWhereTheyMigrate) {
+    PrincetonLanes(2, kSortFirst).load(numbered(2 * 527));
+    PrincetonLanes lanes(2, kSortFirst);
+    EXPECT_THAT(
+        [&] { lanes.load(numbered(2 * 527 + 1)); },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("528 on a lane, expected 527 at most")));
+}
+
 TEST_F(PrincetonLoaderErrors, WantLanesThatAreAMultipleOfTheCopies) {
     expect(6, "duplication = 4\n", 1,
            HasSubstr("6 lanes for 4 copies of the polygons, expected a multiple"));
@@ -221,8 +275,9 @@ TEST_F(PrincetonLoaderErrors, WantOneTextureAtMostAndTheWholeScreen) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("2 textures, expected one")));
     host::TriangleView view;
     view.width = 640;
-    EXPECT_THAT([&] { lanes.load(numbered(1), view); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("640 x 512 pixels, expected 768")));
+    EXPECT_THAT(
+        [&] { lanes.load(numbered(1), view); },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("640 x 512 pixels, expected 768 x 512")));
 }
 
 TEST_F(PrincetonLoaderErrors, NameValuesThatAreNoWords) {

@@ -39,5 +39,22 @@ TEST(PrincetonPicture, IsBlackWhereNothingIsDrawn) {
     EXPECT_EQ(shown.picture, host::Picture(768, 512, 3));
 }
 
+// 96 x 64 in 8 regions of 12 columns, which have 5 members; bands of 32 rows are 76 sets and some.
+TEST(PrincetonPicture, TakesWhatIsCompositedFromThePixelsLane) {
+    PrincetonLanes lanes(40,
+                         "screen_columns = 96\nscreen_rows = 64\ngroup = 8\nband_rows = 32\n"
+                         "        .include \"sort_twice.s\"\n");
+    // x = 31 is column 7 of region 2, y = 40 row 8 of band 1: pixel 7 * 32 + 8 = 46 * 5 + 2.
+    const std::uint32_t at = slow_word(0, 0x8800) + 3 * (77 + 46);
+    lanes.array().write(2 + 8 * 2, at, kPixel);
+    const PrincetonPicture shown = shown_picture(lanes.array(), lanes.image(), {});
+    EXPECT_EQ(shown.depth.at(40 * 96 + 31), 0x123456U);
+    EXPECT_EQ(shown.picture.at(31, 40, 0), 0x78);
+    host::Picture rest = shown.picture;
+    for (int channel = 0; channel < 3; ++channel)
+        rest.at(31, 40, channel) = 0;
+    EXPECT_EQ(rest, host::Picture(96, 64, 3));
+}
+
 }  // namespace
 }  // namespace rasterloom

@@ -122,13 +122,14 @@ config::MachineDescription small(const std::string& name) {
         return shipped(name, {"topology.b=2", "topology.c=1", "screen={width: 64, height: 64}",
                               "scene.object=cube", "run.frames=2"});
     }
-    if (name == "princeton1024-sort-middle.yaml") {  // with its video
-        return shipped(name, {"scene={object: cube}"});
-    }
     if (whole.nodes.isa == "vliw") {
-        return shipped(name, {"scene={object: cube}", "topology.nodes=128",
-                              "screen={width: 64, height: 64}", "nodes.symbols.screen_columns=64",
-                              "nodes.symbols.screen_rows=64", "array.line_locked=false"});
+        std::vector<std::string> changes{"scene={object: cube}", "nodes.symbols.screen_columns=96",
+                                         "nodes.symbols.screen_rows=64",
+                                         "screen={width: 96, height: 64}"};
+        if (whole.array.line_locked) {
+            changes.insert(changes.end(), {"array.lines=77", "array.visible_lines=64"});
+        }
+        return shipped(name, changes);
     }
     if (whole.scene) {
         return shipped(name, {"screen={width: 128, height: 128}", "scene=scenes/random.yaml",
