@@ -39,6 +39,11 @@ def stages(emulator, _arguments):
             for name in ("geometry", "communicate", "normalise", "rasterise")]
     table(["phase, shaded, not line-locked", "cycles", "operations a bundle", "lanes awake"],
           [*rows, ["all", found["cycles_u"], f"{found['operations_per_bundle']:.2f}", f"{100 * found['awake']:.1f} %"]])
+    print("### Rasterising without the optimisations of 7.5\n")
+    rows = []
+    for title, options in (("as it is", {}), ("without early abort", {"early_abort": 0}), ("lanes wait for each other's polygons", {"decoupled": 0})):
+        rows.append([title, phase(array(emulator, SMALL, **options), "rasterise")["cycles_u"]])
+    table(["teapot, shaded", "cycles", "times"], [[title, cycles, f"{cycles / rows[0][1]:.2f}"] for title, cycles in rows])
 
 
 def spread(values, shown="{:,}"):

@@ -56,6 +56,28 @@ TEST_F(Commands, RunIsTheSameEveryTime) {
     }
 }
 
+TEST_F(Commands, AnArrayRunsOnAnyVectorInstructionsOfTheHost) {
+    const std::vector<std::string> cube{"run", "princeton1024-sort-middle.yaml", "--quiet", "--set",
+                                        "scene={object: cube}"};
+    const auto on = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments = cube;
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return rasterloom(arguments);
+    };
+    const Finished unknown = on({"--out", "none", "--vectors", "MMX"});
+    EXPECT_EQ(unknown.status, 2);
+    ASSERT_THAT(unknown.err, HasSubstr("--vectors: this host has no such vector instructions "
+                                       "'MMX'; expected one of "));
+    // The last of those named is the portable path.
+    std::string portable = unknown.err.substr(unknown.err.find_last_of(' ') + 1);
+    portable.erase(portable.find_last_not_of('\n') + 1);
+    EXPECT_EQ(on({"--out", "best"}).status, 0);
+    EXPECT_EQ(on({"--out", "portable", "--vectors", portable}).status, 0);
+    for (const char* file : {"frame-000.png", "statistics.json"}) {
+        EXPECT_EQ(read_text(work_ / "best" / file), read_text(work_ / "portable" / file)) << file;
+    }
+}
+
 TEST_F(Commands, RunWritesItsReportBesideTheOtherFiles) {
     const Finished run = rasterloom({"run", "ring.yaml", "--report", "--quiet"});
     if (!kHasReport) {
