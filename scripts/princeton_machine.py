@@ -17,7 +17,6 @@ SMALL = ()  # the configuration's own teapot, of 9408 triangles
 LARGE = (("scene.polygons", "34404"),)  # 34 440
 PROGRAM = "programs/vliw/sort_middle.s"
 PICTURE = 910 * 525  # cycles of a picture on the video output
-LINE = 910
 TURNS = (10, 20, 30)  # degrees
 STRIDES = (1, 2, 4, 8, 16, 32)  # of the far passes; 1: none
 BEST_STRIDE = 16
