@@ -33,10 +33,7 @@ void Crew::work() {
 // Jobs often follow each other closely, so a member looks for the next one before it sleeps.
 void Crew::stand_by(int member) {
     for (std::uint32_t done = 0;; ++done) {
-        for (int i = 0; i < kSpins && jobs_.load(std::memory_order_acquire) == done; ++i) {
-            spin();
-        }
-        jobs_.wait(done, std::memory_order_acquire);
+        wait_while(jobs_, done);
         if (ended_) {
             return;
         }

@@ -20,9 +20,10 @@ class Meeting {
 
   private:
     struct alignas(64) Member {
-        std::uint64_t round = 0;
+        std::uint32_t round = 0;
         // Two places: a member may be one round ahead of another, not two.
-        std::array<std::atomic<std::uint64_t>, 2> said{};
+        // The round in the upper bits.
+        std::array<std::atomic<std::uint32_t>, 2> said{};
     };
 
     std::vector<Member> members_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <thread>
+#include <atomic>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -17,17 +17,17 @@ inline void spin() {
 #endif
 }
 
-// Looks again and again; lets others have the processor when it takes long, since whoever is
-// waited for may want it.
-template <class Done>
-void wait_until(Done done) {
-    for (int i = 0; !done(); ++i) {
-        if (i < kSpins) {
-            spin();
-        } else {
-            std::this_thread::yield();
+// Until `value` is no longer `old`, of which the one who changes it notifies. Looks again and
+// again, since that is soon; then sleeps, since whoever is waited for may want the processor.
+template <class T>
+void wait_while(const std::atomic<T>& value, T old) {
+    for (int i = 0; i < kSpins; ++i) {
+        if (value.load(std::memory_order_acquire) != old) {
+            return;
         }
+        spin();
     }
+    value.wait(old, std::memory_order_acquire);
 }
 
 }  // namespace rasterloom::lockstep
