@@ -5,10 +5,10 @@
 ; The screen. At most 768 columns and 512 rows; rows of renderers that have frame buffers: a multiple of 64
         .iif ndf screen_columns, screen_columns = 768
         .iif ndf screen_rows, screen_rows = 512
-        .if lt <768-screen_columns>!<screen_columns-1>
+        .if lt 768-screen_columns!<screen_columns-1>
         .error  screen_columns must be 1 to 768
         .endc
-        .if lt <512-screen_rows>!<screen_rows-1>
+        .if lt 512-screen_rows!<screen_rows-1>
         .error  screen_rows must be 1 to 512
         .endc
 ;
