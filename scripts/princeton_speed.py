@@ -8,7 +8,7 @@ from princeton_machine import CONFIG, SMALL, changes_of, machine_scenes, texture
 
 LANES = (64, 256, 1024, 4096, 16384)  # the program numbers lanes up to 32 767; below 768 it draws as many columns
 RUNS = 3
-FRAMES = "3"
+FRAMES = "1"  # one of 16 384 lanes takes the host some 20 s
 
 
 def figures(emulator, scene, *arguments):
