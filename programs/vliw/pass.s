@@ -148,7 +148,7 @@ at = at+1
         .if ne line_locked
 kPasses = kPassCycles/<2+places*words+kPassOverhead>
         .if eq kPasses
-        .error  a pass of `stride` places does not fit into a scanline
+        .error  a pass so far as stride says does not fit into a scanline
         .endc
         setc    c2, kPasses
         .endc
