@@ -19,7 +19,10 @@ observe::RecordMerger::Order order_for(const Observers::Listeners& listeners) {
 
 Observers::Observers(Machine& machine, observe::PhaseLog& phases, const Listeners& listeners)
     : lockstep_(machine.lockstep()),
-      merger_(machine.simulation().partitions(), machine.node_ids(), order_for(listeners)) {
+      merger_(machine.simulation().partitions(), machine.node_ids(), order_for(listeners)),
+      paths_(listeners.paths),
+      has_own_thread_(paths_ != nullptr || listeners.messages != nullptr ||
+                      listeners.timeline != nullptr || !listeners.traces.empty()) {
     merger_.forward_to(static_cast<NodeListener&>(phases));
     merger_.forward_to(static_cast<SupervisorListener&>(phases));
     if (listeners.messages != nullptr) {
@@ -65,14 +68,44 @@ void Observers::attach(Machine& machine, bool parts) {
     }
 }
 
+void Observers::wait() {
+    if (telling_.valid()) {
+        telling_.get();
+    }
+}
+
+void Observers::tell(Time reached) {
+    if (paths_ != nullptr) {
+        paths_->log_causes();
+    }
+    merger_.tell_before(reached);
+    if (paths_ != nullptr) {
+        paths_->collect();
+    }
+}
+
 void Observers::catch_up(Time reached) {
+    wait();
     for (Processor* processor : traced_) {
         processor->tell_stall_before(reached);
     }
-    // Lanes tell of a phase when it is over.
-    merger_.flush(lockstep_ != nullptr && reached < Time::never()
-                      ? std::min(reached, lockstep_->phase().began)
-                      : reached);
+    if (lockstep_ != nullptr && reached < Time::never()) {
+        reached = std::min(reached, lockstep_->phase().began);  // lanes tell when it is over
+    }
+    merger_.take();
+    if (paths_ != nullptr) {
+        paths_->take();
+    }
+    if (has_own_thread_) {
+        telling_ = std::async(std::launch::async, [this, reached] { tell(reached); });
+    } else {
+        tell(reached);
+    }
+}
+
+void Observers::finish() {
+    catch_up(Time::never());
+    wait();
 }
 
 }  // namespace rasterloom::emulation

@@ -8,10 +8,16 @@
 namespace rasterloom::emulation {
 
 PathCollector::PathCollector(Machine& machine)
-    : machine_(machine), log_(machine.simulation().components().size()) {
-    machine.simulation().listen_to_causes(log_);
+    : machine_(machine),
+      keeper_(machine.simulation().partitions()),
+      intervals_(machine.processors().size()),
+      intervals_of_frame_(machine.processors().size()),
+      log_(machine.simulation().components().size()) {
+    Simulation& simulation = machine.simulation();
+    for (std::size_t partition = 0; partition < simulation.partitions(); ++partition) {
+        simulation.listen_to_causes(partition, keeper_.for_partition(partition));
+    }
     machine.frame_probe()->attach(*this);
-    intervals_.resize(machine.processors().size());
     for (std::size_t node = 0; node < intervals_.size(); ++node) {
         Processor& processor = *machine.processors()[node];
         processor.probe().attach(*this);
@@ -19,39 +25,49 @@ PathCollector::PathCollector(Machine& machine)
     }
 }
 
-void PathCollector::count_activities(const observe::CriticalPath& path) {
+void PathCollector::frame_ended(int frame, Time) {
+    due_ = frame;
+}
+
+void PathCollector::take() {
+    keeper_.take();
+    if (!due_) {
+        return;
+    }
+    frame_ = std::exchange(due_, std::nullopt);
+    last_of_frame_ = last_;
+    // What is still in progress will be told again, as a whole.
     for (const Processor* processor : machine_.processors()) {
         if (const auto interval = processor->busy_interval()) {
             intervals_[processor->node()].push_back(*interval);
         }
     }
+    std::swap(intervals_, intervals_of_frame_);
+}
+
+void PathCollector::count_activities(const observe::CriticalPath& path) {
     std::array<Duration, kActivities> sum{};
     for (const observe::PathStep& step : path.steps) {
         const auto node = node_of_.find(static_cast<std::uint32_t>(step.component));
         if (!step.on_wire && node != node_of_.end()) {
-            const auto times = observe::activities_within(step, intervals_[node->second]);
+            const auto times = observe::activities_within(step, intervals_of_frame_[node->second]);
             for (std::size_t activity = 0; activity < sum.size(); ++activity) {
                 sum[activity] += times[activity];
             }
         }
     }
     activities_.push_back(sum);
-    // What is still in progress will be told again, as a whole.
-    for (std::vector<StateInterval>& intervals : intervals_) {
+    for (std::vector<StateInterval>& intervals : intervals_of_frame_) {
         intervals.clear();
     }
 }
 
-void PathCollector::frame_ended(int frame, Time) {
-    due_ = frame;
-}
-
 void PathCollector::collect() {
-    if (const auto frame = std::exchange(due_, std::nullopt)) {
-        paths_.push_back(observe::critical_path(log_, last_.ended_by, began_));
+    if (const auto frame = std::exchange(frame_, std::nullopt)) {
+        paths_.push_back(observe::critical_path(log_, last_of_frame_.ended_by, began_));
         paths_.back().frame = *frame;
         count_activities(paths_.back());
-        began_ = last_.ended;
+        began_ = last_of_frame_.ended;
         log_.forget_before(began_);
     }
 }

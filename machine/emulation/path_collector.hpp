@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Finds the critical path of each frame while the machine runs, and forgets what led to it.
+// Finds the critical path of each frame while the machine runs, also on another thread than
+// those of the machine, and forgets what led to it.
 #pragma once
 
 #include "machine/emulation/machine.hpp"
+#include "machine/observe/bottlenecks/cause_keeper.hpp"
 #include "machine/observe/bottlenecks/cause_log.hpp"
 #include "machine/observe/bottlenecks/critical_path.hpp"
 #include "machine/observe/machine_names.hpp"
@@ -31,7 +33,11 @@ class PathCollector final : public SupervisorListener, public NodeListener {
             intervals_[interval.node].push_back(interval);
         }
     }
-    // While the machine pauses at the end of a frame.
+    // Takes over what is known so far, while the machine stands still.
+    void take();
+    // Of what was taken, on any thread, also while the machine goes on: has causes() know it, then,
+    // if a frame has ended, finds its path and forgets what led to it.
+    void log_causes() { keeper_.move_to(log_); }
     void collect();
 
     observe::CauseLog& causes() { return log_; }
@@ -42,14 +48,23 @@ class PathCollector final : public SupervisorListener, public NodeListener {
   private:
     void count_activities(const observe::CriticalPath& path);
 
+    using Intervals = std::vector<std::vector<StateInterval>>;  // [node], busy ones of a frame
+
+    // Told while the machine runs.
     const Machine& machine_;
-    observe::CauseLog log_;
+    observe::CauseKeeper keeper_;
     PhaseRecord last_;
     std::optional<int> due_;
+    Intervals intervals_;
+    // Taken from that at the end of a frame.
+    std::optional<int> frame_;
+    PhaseRecord last_of_frame_;
+    Intervals intervals_of_frame_;
+
+    observe::CauseLog log_;
     Time began_;
     std::vector<observe::CriticalPath> paths_;
     std::vector<std::array<Duration, kActivities>> activities_;  // [path]
-    std::vector<std::vector<StateInterval>> intervals_;          // [node], busy ones of the frame
     std::unordered_map<std::uint32_t, std::size_t> node_of_;     // by component
 };
 

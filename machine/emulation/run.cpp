@@ -226,7 +226,8 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     Observers observers(machine, phases,
                         {.messages = messages ? &*messages : nullptr,
                          .timeline = outcome.timeline ? &*outcome.timeline : nullptr,
-                         .traces = traces.sinks()});
+                         .traces = traces.sinks(),
+                         .paths = paths ? &*paths : nullptr});
     std::optional<AppendixCCollector> appendix_c;
     if (options.appendix_c) {
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
@@ -239,14 +240,11 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
             if (collector) {
                 collector->collect();
             }
-            if (paths) {
-                paths->collect();
-            }
             if (options.progress) {
                 tell_progress(options, machine, description, now);
             }
         });
-    observers.catch_up(Time::never());
+    observers.finish();
     outcome.wall_seconds = seconds_since(start);
 
     outcome.failure = failure_of(result, description, machine);
@@ -261,7 +259,7 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         }
     }
     if (outcome.failure.empty()) {
-        observers.catch_up(Time::never());  // what nodes were at when the run ended
+        observers.finish();  // what nodes were at when the run ended
         traces.close(outcome.report, paths ? paths->paths() : std::vector<observe::CriticalPath>());
         if (options.bottlenecks) {
             outcome.bottlenecks = traces.search();

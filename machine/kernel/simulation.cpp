@@ -123,9 +123,13 @@ void Simulation::join_wires() {
 }
 
 void Simulation::listen_to_causes(CauseListener& listener) {
-    for (const auto& scheduler : schedulers_) {
-        scheduler->cause_listener_ = &listener;
+    for (std::size_t partition = 0; partition < schedulers_.size(); ++partition) {
+        listen_to_causes(partition, listener);
     }
+}
+
+void Simulation::listen_to_causes(std::size_t partition, CauseListener& listener) {
+    schedulers_[partition]->cause_listener_ = &listener;
 }
 
 void Simulation::start_components() {

@@ -64,6 +64,8 @@ class Simulation {
     // Has the listener told of every event that is sent from now on; after use_threads() and before
     // run(), on whose threads it is called. It must outlive the run.
     void listen_to_causes(CauseListener& listener);
+    // Of those that components of this partition send.
+    void listen_to_causes(std::size_t partition, CauseListener& listener);
 
     // Handles every event before `limit`, in order. Can be called again to go on: where a run is
     // cut does not change what happens. Throws WiringError before seal().

@@ -34,63 +34,80 @@ class alignas(kCacheLine) RecordMerger::Keeper final : public NodeListener,
     Keeper(const bool& keeps_intervals, const bool& keeps_changes)
         : keeps_intervals_(keeps_intervals), keeps_changes_(keeps_changes) {}
 
+    struct Records {
+        std::vector<QueueChange> changes;
+        std::vector<PartRecord> of_parts;
+        std::vector<StateInterval> intervals;
+        std::vector<MessageRecord> messages;
+        std::vector<Ended> ended;
+    };
+
     void queue_changed(const QueueChange& change) override {
         if (keeps_changes_) {
-            changes.push_back(change);
+            told.changes.push_back(change);
         }
     }
-    void message_consumed(const MessageRecord& record) override { messages.push_back(record); }
+    void message_consumed(const MessageRecord& record) override { told.messages.push_back(record); }
     void interval_ended(const StateInterval& interval) override {
         if (keeps_intervals_) {
-            intervals.push_back(interval);
+            told.intervals.push_back(interval);
         }
     }
     void phase_ended(const PhaseRecord& record) override {
-        ended.push_back({record.ended, record, 0});
+        told.ended.push_back({record.ended, record, 0});
     }
     void frame_ended(int frame, Time time) override {
-        ended.push_back({time, std::nullopt, frame});
+        told.ended.push_back({time, std::nullopt, frame});
     }
 
     void part_interval_ended(const PartInterval& interval) override {
-        part_records.push_back({interval.part, interval});
+        told.of_parts.push_back({interval.part, interval});
     }
     void message_passed(ComponentId part, const MessageRecord& message) override {
-        part_records.push_back({part, message});
+        told.of_parts.push_back({part, message});
     }
 
-    std::vector<QueueChange> changes;
-    std::vector<PartRecord> part_records;
-    std::vector<StateInterval> intervals;
-    std::vector<MessageRecord> messages;
-    std::size_t told = 0;  // of them
-    std::deque<Ended> ended;
+    Records told;  // since the last take()
 
   private:
     const bool& keeps_intervals_;
     const bool& keeps_changes_;
 };
 
+// The keeper belongs to the machine's threads while that runs, the rest to who tells.
+struct RecordMerger::Partition {
+    Keeper keeper;
+    Keeper::Records taken;
+    // What lay ahead of the time before which was told.
+    std::vector<QueueChange> changes;
+    std::vector<PartRecord> of_parts;
+    std::vector<StateInterval> intervals;
+    std::vector<MessageRecord> messages;
+    std::size_t told = 0;  // of them
+    std::deque<Ended> ended;
+};
+
 RecordMerger::RecordMerger(std::size_t partitions, std::vector<ComponentId> component_of,
                            Order order)
     : component_of_(std::move(component_of)), order_(order) {
-    for (std::size_t partition = 0; partition < partitions; ++partition) {
-        keepers_.push_back(std::make_unique<Keeper>(keeps_intervals_, keeps_changes_));
+    for (std::size_t i = 0; i < partitions; ++i) {
+        partitions_.push_back(std::make_unique<Partition>(
+            Partition{Keeper(keeps_intervals_, keeps_changes_), {}, {}, {}, {}, {}, 0, {}}));
     }
 }
 
 RecordMerger::~RecordMerger() = default;
 
 NodeListener& RecordMerger::for_nodes(std::size_t partition) {
-    return *keepers_[partition];
+    return partitions_[partition]->keeper;
 }
 
 SupervisorListener& RecordMerger::for_supervisor(std::size_t partition) {
-    return *keepers_[partition];
+    return partitions_[partition]->keeper;
 }
 
 PartListener& RecordMerger::for_parts(std::size_t partition) {
-    return *keepers_[partition];
+    return partitions_[partition]->keeper;
 }
 
 bool RecordMerger::precedes(const MessageRecord& a, const MessageRecord& b) const {
@@ -107,9 +124,9 @@ void RecordMerger::tell(const MessageRecord& message) const {
 // A node consumes a message as its own work, the supervisor ends a phase when something arrives:
 // what arrives comes before the work of that time.
 void RecordMerger::tell_phases(Time until) {
-    for (const auto& keeper : keepers_) {
-        while (!keeper->ended.empty() && keeper->ended.front().time <= until) {
-            const Ended& ended = keeper->ended.front();
+    for (const auto& partition : partitions_) {
+        while (!partition->ended.empty() && partition->ended.front().time <= until) {
+            const Ended& ended = partition->ended.front();
             tell_intervals(ended.time);
             for (SupervisorListener* listener : supervisor_listeners_) {
                 if (ended.phase) {
@@ -118,37 +135,48 @@ void RecordMerger::tell_phases(Time until) {
                     listener->frame_ended(ended.frame, ended.time);
                 }
             }
-            keeper->ended.pop_front();
+            partition->ended.pop_front();
         }
     }
 }
 
 // What one node tells is in order already.
 void RecordMerger::sort_messages() {
-    for (const auto& keeper : keepers_) {
+    for (const auto& partition : partitions_) {
         std::stable_sort(
-            keeper->messages.begin(), keeper->messages.end(),
+            partition->messages.begin(), partition->messages.end(),
             [this](const MessageRecord& a, const MessageRecord& b) { return precedes(a, b); });
     }
 }
 
 namespace {
 
-// Moves the records of a keeper that ended before `reached` to those that are due.
+// Moves the records that ended before `reached` to those that are due, the others to those ahead.
 template <class Record, class Ended>
-void move_due(std::vector<Record>& kept, std::vector<Record>& due, Time reached, Ended ended) {
+void move_due(std::vector<Record>& ahead, std::vector<Record>& taken, std::vector<Record>& due,
+              Time reached, Ended ended) {
     const auto later = std::stable_partition(
-        kept.begin(), kept.end(), [&](const Record& record) { return ended(record) < reached; });
-    due.insert(due.end(), kept.begin(), later);
-    kept.erase(kept.begin(), later);
+        ahead.begin(), ahead.end(), [&](const Record& record) { return ended(record) < reached; });
+    due.insert(due.end(), ahead.begin(), later);
+    ahead.erase(ahead.begin(), later);
+    for (const Record& record : taken) {
+        (ended(record) < reached ? due : ahead).push_back(record);
+    }
+    taken.clear();
+}
+
+template <class Kept, class Record>
+void append(Kept& kept, std::vector<Record>& taken) {
+    kept.insert(kept.end(), taken.begin(), taken.end());
+    taken.clear();
 }
 
 }  // namespace
 
 // By the time at which they end, and by node. What one node tells is in order already.
 void RecordMerger::collect_intervals(Time reached) {
-    for (const auto& keeper : keepers_) {
-        move_due(keeper->intervals, due_.records(), reached,
+    for (const auto& partition : partitions_) {
+        move_due(partition->intervals, partition->taken.intervals, due_.records(), reached,
                  [](const auto& interval) { return interval.to; });
     }
     std::vector<StateInterval>& due = due_.records();
@@ -159,8 +187,8 @@ void RecordMerger::collect_intervals(Time reached) {
 
 // Likewise, by part.
 void RecordMerger::collect_part_records(Time reached) {
-    for (const auto& keeper : keepers_) {
-        move_due(keeper->part_records, due_of_parts_.records(), reached,
+    for (const auto& partition : partitions_) {
+        move_due(partition->of_parts, partition->taken.of_parts, due_of_parts_.records(), reached,
                  [](const auto& record) { return record.ended(); });
     }
     std::vector<PartRecord>& due = due_of_parts_.records();
@@ -171,8 +199,8 @@ void RecordMerger::collect_part_records(Time reached) {
 
 // Likewise, by component. What one tells of several queues at one time is in its order.
 void RecordMerger::collect_changes(Time reached) {
-    for (const auto& keeper : keepers_) {
-        move_due(keeper->changes, due_changes_.records(), reached,
+    for (const auto& partition : partitions_) {
+        move_due(partition->changes, partition->taken.changes, due_changes_.records(), reached,
                  [](const auto& change) { return change.time; });
     }
     const auto earlier = [](const auto& a, const auto& b) { return a.time < b.time; };
@@ -235,7 +263,17 @@ void RecordMerger::tell_intervals(Time before) {
     }
 }
 
-void RecordMerger::flush(Time reached) {
+void RecordMerger::take() {
+    for (const auto& partition : partitions_) {
+        std::swap(partition->keeper.told, partition->taken);
+    }
+}
+
+void RecordMerger::tell_before(Time reached) {
+    for (const auto& partition : partitions_) {
+        append(partition->messages, partition->taken.messages);
+        append(partition->ended, partition->taken.ended);
+    }
     collect_intervals(reached);
     collect_part_records(reached);
     collect_changes(reached);
@@ -249,8 +287,8 @@ void RecordMerger::flush(Time reached) {
 
 std::vector<Time> RecordMerger::ends_of_phases(Time until) const {
     std::vector<Time> ends;
-    for (const auto& keeper : keepers_) {
-        for (const Ended& ended : keeper->ended) {
+    for (const auto& partition : partitions_) {
+        for (const Ended& ended : partition->ended) {
             if (ended.time <= until) {
                 ends.push_back(ended.time);
             }
@@ -263,8 +301,8 @@ std::vector<Time> RecordMerger::ends_of_phases(Time until) const {
 void RecordMerger::flush_by_phase(Time reached) {
     const std::vector<Time> ends = ends_of_phases(reached);
     std::vector<std::vector<const MessageRecord*>> before(ends.size() + 1);  // before the n-th end
-    for (const auto& keeper : keepers_) {
-        for (const MessageRecord& message : keeper->messages) {
+    for (const auto& partition : partitions_) {
+        for (const MessageRecord& message : partition->messages) {
             if (message.consumed < reached) {
                 const auto end = std::upper_bound(ends.begin(), ends.end(), message.consumed);
                 before[static_cast<std::size_t>(end - ends.begin())].push_back(&message);
@@ -277,8 +315,8 @@ void RecordMerger::flush_by_phase(Time reached) {
         }
         tell_phases(i < ends.size() ? ends[i] : reached);
     }
-    for (const auto& keeper : keepers_) {
-        std::erase_if(keeper->messages, [reached](const MessageRecord& message) {
+    for (const auto& partition : partitions_) {
+        std::erase_if(partition->messages, [reached](const MessageRecord& message) {
             return message.consumed < reached;
         });
     }
@@ -287,12 +325,12 @@ void RecordMerger::flush_by_phase(Time reached) {
 void RecordMerger::flush_in_order(Time reached) {
     sort_messages();
     while (true) {
-        Keeper* first = nullptr;
-        for (const auto& keeper : keepers_) {
-            if (keeper->told < keeper->messages.size() &&
+        Partition* first = nullptr;
+        for (const auto& partition : partitions_) {
+            if (partition->told < partition->messages.size() &&
                 (first == nullptr ||
-                 precedes(keeper->messages[keeper->told], first->messages[first->told]))) {
-                first = keeper.get();
+                 precedes(partition->messages[partition->told], first->messages[first->told]))) {
+                first = partition.get();
             }
         }
         if (first == nullptr || first->messages[first->told].consumed >= reached) {
@@ -304,11 +342,11 @@ void RecordMerger::flush_in_order(Time reached) {
         tell(message);
     }
     tell_phases(reached);
-    for (const auto& keeper : keepers_) {
-        keeper->messages.erase(
-            keeper->messages.begin(),
-            keeper->messages.begin() + static_cast<std::ptrdiff_t>(keeper->told));
-        keeper->told = 0;
+    for (const auto& partition : partitions_) {
+        partition->messages.erase(
+            partition->messages.begin(),
+            partition->messages.begin() + static_cast<std::ptrdiff_t>(partition->told));
+        partition->told = 0;
     }
 }
 

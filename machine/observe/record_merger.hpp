@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Brings what nodes and supervisor tell into the order of events: processors run ahead of each
 // other, and partitions run at once. Messages and phases are kept, by partition, and told to the
-// real listeners from time to time. Who only counts messages by phase is told them in any order
-// between the ends of phases, which saves most of the work.
+// real listeners from time to time, also on another thread than those of the machine. Who only
+// counts messages by phase is told them in any order between the ends of phases, which saves most
+// of the work.
 //
 // States of nodes and what other parts tell is kept on request, and told by the time at which it
 // ends. Taps are not, for a
@@ -50,12 +51,21 @@ class RecordMerger {
     void forward_to(SupervisorListener& listener) { supervisor_listeners_.push_back(&listener); }
     void forward_to(PartListener& listener) { part_listeners_.push_back(&listener); }
 
-    // Tells what happened before `reached`. To be called while the machine does not run and has
-    // come to that time: a record may lie ahead of it, but none comes later that lies before.
-    void flush(Time reached);
+    // Takes over what is known so far, while the machine does not run; what was taken before has
+    // been told.
+    void take();
+    // Tells what happened before `reached`, to which the machine had come when this took over: a
+    // record may lie ahead of it, but none comes later that lies before. On any thread, also while
+    // the machine goes on.
+    void tell_before(Time reached);
+    void flush(Time reached) {
+        take();
+        tell_before(reached);
+    }
 
   private:
     class Keeper;
+    struct Partition;
 
     struct PartRecord {  // either kind of what a part tells
         ComponentId part{};
@@ -105,7 +115,7 @@ class RecordMerger {
     Due<StateInterval> due_;
     Due<PartRecord> due_of_parts_;
     Due<QueueChange> due_changes_;
-    std::vector<std::unique_ptr<Keeper>> keepers_;  // [partition]
+    std::vector<std::unique_ptr<Partition>> partitions_;
     std::vector<NodeListener*> node_listeners_;
     std::vector<SupervisorListener*> supervisor_listeners_;
     std::vector<PartListener*> part_listeners_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "machine/observe/bottlenecks/cause_log.hpp"
 
-#include "machine/node/message.hpp"
-
 #include <algorithm>
 
 namespace rasterloom::observe {
@@ -12,21 +10,7 @@ namespace {
 // What a part sends when it hands one message on, but for the copies of that.
 constexpr std::uint32_t kSentWithAMessage = 4;
 
-SentEvent::Sort sort_of(const Event& event) {
-    if (event.phase() == EventPhase::work) {
-        return SentEvent::Sort::to_itself;
-    }
-    return event.kind == static_cast<EventKind>(MessageEvent::deliver)
-               ? SentEvent::Sort::delivers_message
-               : SentEvent::Sort::other;
-}
-
 }  // namespace
-
-void CauseLog::sent(const Event& event, Time departure, EventId cause) {
-    sent_by_[static_cast<std::size_t>(event.source())].events.emplace_back(departure, event.time(),
-                                                                           cause, sort_of(event));
-}
 
 const SentEvent* CauseLog::find(EventId event) const {
     if (event == kNoCause) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "machine/kernel/cause.hpp"
+#include "machine/node/message.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,11 +18,11 @@ class SentEvent {
   public:
     enum class Sort : std::uint8_t { other, delivers_message, to_itself };
 
-    SentEvent(Time departure, Time arrival, EventId cause, Sort sort)
-        : arrival(arrival),
+    SentEvent(const Event& event, Time departure, EventId cause)
+        : arrival(event.time()),
           cause(cause),
           on_wire_and_sort_(static_cast<std::uint64_t>((arrival - departure).picoseconds()) << 8U |
-                            static_cast<std::uint64_t>(sort)) {}
+                            static_cast<std::uint64_t>(sort_of(event))) {}
 
     Time departure() const {
         return arrival - Duration::picoseconds(static_cast<std::int64_t>(on_wire_and_sort_ >> 8U));
@@ -33,6 +34,14 @@ class SentEvent {
     EventId message = kNoCause;  // what message_behind() has found, once it has been asked
 
   private:
+    static Sort sort_of(const Event& event) {
+        if (event.phase() == EventPhase::work) {
+            return Sort::to_itself;
+        }
+        return event.kind == static_cast<EventKind>(MessageEvent::deliver) ? Sort::delivers_message
+                                                                           : Sort::other;
+    }
+
     std::uint64_t on_wire_and_sort_;
 };
 
@@ -51,9 +60,15 @@ class CauseLog final : public CauseListener {
   public:
     explicit CauseLog(std::size_t components) : sent_by_(components) {}
 
-    void sent(const Event& event, Time departure, EventId cause) override;
+    void sent(const Event& event, Time departure, EventId cause) override {
+        add(event.source(), {event, departure, cause});
+    }
+    // Likewise, what `source` has sent after all that is here already.
+    void add(ComponentId source, const SentEvent& event) {
+        sent_by_[static_cast<std::size_t>(source)].events.push_back(event);
+    }
 
-    // All of the following while the machine stands still.
+    // All of the following while nobody adds to it.
 
     // Null for kNoCause and for what has been forgotten.
     const SentEvent* find(EventId event) const;
