@@ -11,12 +11,20 @@
 
 namespace rasterloom::cli {
 
+namespace {
+
+constexpr std::chrono::milliseconds kLeastApart{50};
+
+}  // namespace
+
 ProgressBar::ProgressBar(bool wanted) : visible_(wanted && ::isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::draw(std::int64_t done, std::int64_t steps, const std::string& text) {
-    if (!visible_) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!visible_ || (drawn_ && now - last_drawn_ < kLeastApart)) {
         return;
     }
+    last_drawn_ = now;
     constexpr std::int64_t kWidth = 30;
     const auto filled = static_cast<std::size_t>(kWidth * done / steps);
     const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');

@@ -6,6 +6,7 @@
 #include "machine/emulation/run.hpp"
 #include "machine/emulation/sweep.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -28,6 +29,7 @@ class ProgressBar {
 
     bool visible_;
     bool drawn_ = false;
+    std::chrono::steady_clock::time_point last_drawn_;
 };
 
 }  // namespace rasterloom::cli

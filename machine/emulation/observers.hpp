@@ -6,11 +6,13 @@
 
 #include "machine/emulation/machine.hpp"
 #include "machine/emulation/path_collector.hpp"
+#include "machine/emulation/slices.hpp"
 #include "machine/observe/page/run_timeline.hpp"
 #include "machine/observe/phase_log.hpp"
 #include "machine/observe/record_merger.hpp"
 #include "machine/observe/trace/trace_sink.hpp"
 
+#include <chrono>
 #include <future>
 #include <vector>
 
@@ -30,6 +32,8 @@ class Observers {
     // Everything given must outlive this. The machine has been divided among threads already.
     Observers(Machine& machine, observe::PhaseLog& phases, const Listeners& listeners);
 
+    // How often they want to catch up.
+    std::chrono::milliseconds slice() const { return has_own_thread_ ? kObservedSlice : kSlice; }
     // Has the listeners told what has happened before `reached`, where the machine stands still.
     // The machine may go on at once; but when they have not been told yet what happened before the
     // last time, this waits. Throws what a listener threw then.

@@ -160,7 +160,7 @@ std::vector<std::vector<observe::PathReport::LineShare>> lines_on_paths(
         again.processors()[node]->core().set_taps(addresses);
         again.processors()[node]->probe().attach(*meters.back());
     }
-    run_in_slices(again.simulation(), Time::zero() + blueprint.description.run.max_time,
+    run_in_slices(again.simulation(), Time::zero() + blueprint.description.run.max_time, kSlice,
                   [](Time) {});
     return gather(*blueprint.image, meters, paths.size());
 }

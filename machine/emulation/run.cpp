@@ -235,15 +235,16 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
 
     const auto start = WallClock::now();
     const RunResult result =
-        run_in_slices(machine.simulation(), Time::zero() + description.run.max_time, [&](Time now) {
-            observers.catch_up(now);
-            if (collector) {
-                collector->collect();
-            }
-            if (options.progress) {
-                tell_progress(options, machine, description, now);
-            }
-        });
+        run_in_slices(machine.simulation(), Time::zero() + description.run.max_time,
+                      observers.slice(), [&](Time now) {
+                          observers.catch_up(now);
+                          if (collector) {
+                              collector->collect();
+                          }
+                          if (options.progress) {
+                              tell_progress(options, machine, description, now);
+                          }
+                      });
     observers.finish();
     outcome.wall_seconds = seconds_since(start);
 

@@ -2,7 +2,6 @@
 #include "machine/emulation/slices.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 namespace rasterloom::emulation {
 
@@ -10,15 +9,15 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
-constexpr double kSliceSeconds = 0.1;  // of wall time
 constexpr std::int64_t kFirstSlices =
     10'000;  // in the whole time: long enough to start threads for
 
-Duration adapt(Duration slice, double took, Duration whole) {
-    if (took < kSliceSeconds / 2 && slice < whole) {
+Duration adapt(Duration slice, WallClock::duration took, WallClock::duration wanted,
+               Duration whole) {
+    if (took < wanted / 2 && slice < whole) {
         return slice * 2;
     }
-    if (took > kSliceSeconds * 2 && slice > Duration::picoseconds(1)) {
+    if (took > wanted * 2 && slice > Duration::picoseconds(1)) {
         return Duration::picoseconds(slice.picoseconds() / 2);
     }
     return slice;
@@ -26,7 +25,7 @@ Duration adapt(Duration slice, double took, Duration whole) {
 
 }  // namespace
 
-RunResult run_in_slices(Simulation& simulation, Time limit,
+RunResult run_in_slices(Simulation& simulation, Time limit, std::chrono::milliseconds wanted,
                         const std::function<void(Time)>& between) {
     const Duration whole = limit.since_start();
     Duration slice =
@@ -44,8 +43,7 @@ RunResult run_in_slices(Simulation& simulation, Time limit,
             return result;
         }
         if (result.end == RunEnd::limit) {
-            slice = adapt(slice, std::chrono::duration<double>(WallClock::now() - start).count(),
-                          whole);
+            slice = adapt(slice, WallClock::now() - start, wanted, whole);
         }
     }
 }

@@ -71,10 +71,11 @@ Time observe_run(Scribe& scribe, std::int64_t threads, std::int64_t frames = 2) 
     Observers observers(machine, phases, {.traces = {&scribe}});
     Time reached;
     try {
-        run_in_slices(machine.simulation(), Time::zero() + description.run.max_time, [&](Time now) {
-            observers.catch_up(now);
-            reached = now;
-        });
+        run_in_slices(machine.simulation(), Time::zero() + description.run.max_time, kObservedSlice,
+                      [&](Time now) {
+                          observers.catch_up(now);
+                          reached = now;
+                      });
         observers.finish();
     } catch (const observe::OutputError& error) {
         EXPECT_STREQ(error.what(), "trace: no room");

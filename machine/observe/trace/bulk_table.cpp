@@ -97,6 +97,12 @@ void BulkTable::add(std::span<const std::int64_t> values) {
     }
 }
 
+void BulkTable::close() {
+    for (KeySorter& keys : keys_) {
+        keys.close();
+    }
+}
+
 void BulkTable::finish() {
     tree_.finish();
     for (std::size_t index = 0; index < keys_.size(); ++index) {

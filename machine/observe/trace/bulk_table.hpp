@@ -39,6 +39,9 @@ class BulkTable {
     // A row, a value a column, kSqlNull for NULL: of a table whose primary key is the first columns
     // in the order of those.
     void add(std::span<const std::int64_t> values);
+    // No more rows come: begins to put its indices in order, on other threads.
+    void close();
+    // Writes the last pages and the indices.
     void finish();
     std::size_t columns() const { return layout_.columns; }
 

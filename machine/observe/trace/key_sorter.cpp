@@ -23,6 +23,7 @@ constexpr std::size_t kReadAtOnce = 1 << 10;  // keys of one run: 24 KiB
 // All at once: memory that is not used yet costs nothing, copies of what is there do.
 void KeySorter::make_room() {
     if (!keys_.empty()) {
+        sort();
         put_aside();
     }
     keys_.reserve(most_in_memory_);
@@ -66,7 +67,6 @@ void KeySorter::sort() {
 }
 
 void KeySorter::put_aside() {
-    sort();
     if (!file_) {
         file_.reset(std::tmpfile());
     }
@@ -95,8 +95,8 @@ bool KeySorter::read_on(Run& run) {
 }
 
 void KeySorter::visit(const std::function<void(const Key&)>& visitor) {
+    sorting_.get();
     if (runs_.empty()) {
-        sort();
         std::for_each(keys_.begin(), keys_.end(), visitor);
         keys_.clear();
         return;

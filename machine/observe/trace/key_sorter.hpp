@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -34,7 +35,11 @@ class KeySorter {
         }
         keys_.push_back(key);
     }
-    // Tells all keys in order, and forgets them.
+    // No more keys come: begins to bring them into order, on another thread.
+    void close() {
+        sorting_ = std::async(std::launch::async, [this] { sort(); });
+    }
+    // Tells all keys in order, and forgets them; after close().
     void visit(const std::function<void(const Key&)>& visitor);
 
   private:
@@ -59,6 +64,7 @@ class KeySorter {
     std::vector<Key> sorted_;  // room to sort them into
     std::unique_ptr<std::FILE, Closer> file_;
     std::vector<Run> runs_;
+    std::future<void> sorting_;  // uses what stands above
 };
 
 }  // namespace rasterloom::observe

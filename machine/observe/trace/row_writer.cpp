@@ -13,6 +13,9 @@ RowWriter::RowWriter(const std::filesystem::path& path, const std::vector<std::s
 
 void RowWriter::finish() {
     for (BulkTable& table : tables_) {
+        table.close();
+    }
+    for (BulkTable& table : tables_) {
         table.finish();
     }
     file_.close();

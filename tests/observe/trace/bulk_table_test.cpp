@@ -42,6 +42,7 @@ class Filled {
         for (const Row& row : rows) {
             table.add(row);
         }
+        table.close();
         table.finish();
         file.close();
         fill(schema, rows);
@@ -230,6 +231,7 @@ RC_GTEST_PROP(KeySorter, SortsInMemoryAndOutsideOfIt, ()) {
     }
     std::sort(expected.begin(), expected.end());
     std::vector<KeySorter::Key> told;
+    sorter.close();
     sorter.visit([&](const KeySorter::Key& key) { told.push_back(key); });
     RC_ASSERT(told == expected);
 }
