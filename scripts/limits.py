@@ -2,6 +2,7 @@
 """What limits a machine: the part of it that is longest on the critical paths of its frames (docs/bottlenecks.md)."""
 
 HALF = 0.5
+COMMUNICATION = ("communicate", "migrate", "composite")  # phases of a lock-step machine, which is one sequencer's path
 SHOWN = 3  # names
 
 
@@ -40,8 +41,25 @@ def longest(frames, part):
     return list(dict.fromkeys(name for share, name in found if share)), sum(share for share, _ in found) / len(found)
 
 
+def phase_shares(path):
+    found = {}
+    for phase in path["phases"]:
+        found[phase["name"]] = found.get(phase["name"], 0) + phase["time_ps"] / path["duration_ps"]
+    return found
+
+
+def limit_of_array(statistics):
+    """Lanes work in step: all of the path is the sequencer's, and its phases tell where the time goes."""
+    paths = [phase_shares(path) for path in statistics["critical_paths"]]
+    mean = {name: sum(shares.get(name, 0) for shares in paths) / len(paths) for name in sorted({name for shares in paths for name in shares})}
+    longest = max(mean, key=mean.get)
+    return f"sequencer, longest in {longest} ({100 * mean[longest]:.0f} %)", sum(mean.get(name, 0) for name in COMMUNICATION)
+
+
 def limit_of(statistics, nodes):
     """In words; and the share of communication, everything on the paths that is no processor."""
+    if "array" in statistics:
+        return limit_of_array(statistics)
     frames = [shares(path) for path in statistics["critical_paths"]]
     parts = {}
     for of_frame, _ in frames:

@@ -70,7 +70,8 @@ void write_statistics(const emulation::RunOutcome& outcome, const observe::Outpu
     if (outcome.report.array) {
         observe::write_file_whole(folder.file("procedures.csv"),
                                   observe::procedures_csv(*outcome.report.array));
-    } else if (outcome.report.fabric.empty()) {
+    }
+    if (outcome.report.fabric.empty()) {
         observe::write_file_whole(folder.file("links.csv"), observe::links_csv(outcome.report));
     } else {
         observe::write_file_whole(

@@ -172,6 +172,10 @@ MachineDrawing draw_machine(const Blueprint& blueprint,
         return drawing;
     }
     draw_graph(blueprint.topology, drawing);
+    if (blueprint.is_lockstep()) {  // one sequencer leads all lanes
+        drawing.parts.resize(1);
+        drawing.fed_by.assign(drawing.positions.size(), 0);
+    }
     if (blueprint.description.scene) {
         drawing.width = static_cast<int>(blueprint.description.screen.width);
         drawing.height = static_cast<int>(blueprint.description.screen.height);

@@ -116,10 +116,22 @@ FabricPartReport pixel_bus_report(const FrameBufferBus& bus, const Machine& mach
     return report;
 }
 
+FabricPartReport sequencer_report(const LockstepMachine& machine) {
+    FabricPartReport report;
+    report.name = machine.name();
+    report.part = FabricPart::sequencer;
+    report.busy = machine.statistics().busy;
+    report.blocked = machine.statistics().blocked;
+    return report;
+}
+
 }  // namespace
 
 std::vector<ComponentId> part_ids(const Blueprint& blueprint, const Machine& machine) {
     std::vector<ComponentId> ids;
+    if (machine.lockstep() != nullptr) {
+        ids.push_back(machine.lockstep()->id());
+    }
     const PolygonNetwork* fabric = machine.fabric();
     if (fabric == nullptr) {
         return ids;
@@ -147,6 +159,9 @@ std::vector<ComponentId> part_ids(const Blueprint& blueprint, const Machine& mac
 std::vector<FabricPartReport> gather_fabric(const Blueprint& blueprint, const Machine& machine,
                                             Time end) {
     std::vector<FabricPartReport> reports;
+    if (machine.lockstep() != nullptr) {
+        reports.push_back(sequencer_report(*machine.lockstep()));
+    }
     const PolygonNetwork* fabric = machine.fabric();
     if (fabric == nullptr) {
         return reports;

@@ -38,6 +38,7 @@ observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& m
         for (const topology::Node& node : blueprint.topology.nodes) {
             names.components.push_back({"lane", node.name});
         }
+        names.parts.push_back(machine.lockstep()->id());
     }
     for (const NetworkLink& wire : machine.links()) {
         names.links.push_back({wire.link->id(), wire.from, wire.to});

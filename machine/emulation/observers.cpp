@@ -60,6 +60,9 @@ void Observers::attach(Machine& machine, bool parts) {
         const std::size_t partition = simulation.partition_of(*lockstep_);
         lockstep_->lane_probe().attach(merger_.for_nodes(partition));
         lockstep_->probe().attach(merger_.for_supervisor(partition));
+        if (parts) {
+            lockstep_->part_probe().attach(merger_.for_parts(partition));
+        }
     }
     if (parts && machine.fabric() != nullptr) {
         machine.fabric()->for_each_part([&](auto& part) {

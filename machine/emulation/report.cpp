@@ -99,6 +99,7 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
             node.statistics = lockstep->lane_statistics(lane);
         }
         report.array = gather_array(blueprint, *lockstep);
+        report.fabric.front().words = report.array->places * report.array->lanes;
     }
     for (const NetworkLink& wire : machine.links()) {
         report.links.push_back(link_report(wire, machine.processors()));

@@ -40,6 +40,15 @@ void LockstepBooks::book_lane(std::int64_t lane, const PhaseRecord& phase, std::
     });
 }
 
+void LockstepBooks::enter(PartState state, std::int64_t cycle) {
+    const Time now = clock_.edge(Cycles(cycle));
+    if (state_ != PartState::idle) {
+        (state_ == PartState::busy ? statistics_.busy : statistics_.blocked) += now - entered_;
+    }
+    state_ = state;
+    entered_ = now;
+}
+
 PhaseRecord LockstepBooks::next_phase(int phase, std::int64_t cycle, EventId ended_by,
                                       const Probe<NodeListener>& lanes) {
     PhaseRecord ended = current_;

@@ -3,6 +3,7 @@
 // bundle.
 #pragma once
 
+#include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/supervisor.hpp"
 #include "machine/kernel/clock.hpp"
 #include "machine/kernel/probe.hpp"
@@ -26,6 +27,9 @@ struct LockstepStatistics {
     std::vector<Phase> phases;     // [phase of the frame], over all frames
     std::int64_t idle_cycles = 0;  // between `line` and the next scanline
     std::int64_t scanlines = 0;    // begun
+    // Up to the end of the last frame: executing; and waiting for the next scanline.
+    Duration busy;
+    Duration blocked;
     // How often each bundle was executed, by address: [frame]; what came after the last one is in
     // none.
     std::vector<std::vector<std::int64_t>> frames;
@@ -38,6 +42,8 @@ class LockstepBooks {
     void begin_scanline() { ++statistics_.scanlines; }
     void executed(std::int64_t cycles) { executed_cycles_ += cycles; }
     void idle(std::int64_t cycles) { statistics_.idle_cycles += cycles; }
+    // From the clock's edge `cycle` on the sequencer is in this state.
+    void enter(PartState state, std::int64_t cycle);
     // The phase in progress ends at the clock's edge `cycle`, and `phase`, of the frame that is
     // being drawn then, begins. Tells `lanes` of the one that ended: first the time each was awake,
     // then the rest; and returns it.
@@ -61,6 +67,8 @@ class LockstepBooks {
     PhaseRecord current_;
     std::int64_t began_ = 0;  // the phase in progress: cycle
     std::int64_t executed_cycles_ = 0;
+    PartState state_ = PartState::idle;
+    Time entered_;
     LockstepStatistics::Phase totals_;   // when it began
     std::vector<std::int64_t> awake_;    // [lane], likewise
     std::vector<std::int64_t> profile_;  // when the frame began

@@ -74,14 +74,25 @@ void LockstepMachine::begin_line() {
 
 // Up to the next thing that concerns the machine; what that is to have happened at its time.
 void LockstepMachine::run() {
+    enter(PartState::busy);
     stop_ = array_.run(settings_.line_locked ? line_end_ - cycle_ : kSlice);
     cycle_ += stop_.cycles;
     books_.executed(stop_.cycles);
     if (settings_.line_locked && stop_.reason == Reason::line && cycle_ < line_end_) {
+        enter(PartState::blocked);
         books_.idle(line_end_ - std::exchange(cycle_, line_end_));
     }
     wake_at(std::max(settings_.clock.edge(Cycles(cycle_)), now()),
             static_cast<EventKind>(LockstepEvent::stopped));
+}
+
+// After the last frame it counts as idle, whatever the program does.
+void LockstepMachine::enter(PartState state) {
+    if (phase().frame == settings_.frames) {
+        state = PartState::idle;
+    }
+    books_.enter(state, cycle_);
+    part_probe_.enter(id(), state, settings_.clock.edge(Cycles(cycle_)));
 }
 
 void LockstepMachine::handle(const Event& event) {
@@ -159,6 +170,7 @@ bool LockstepMachine::end_frame() {
     }
     end_phase(phase().phase);
     books_.end_frame();
+    enter(PartState::busy);
     probe_.tell([this](SupervisorListener& listener) {
         listener.frame_ended(static_cast<int>(complete_ - 1), now());
     });
@@ -194,6 +206,7 @@ void LockstepMachine::end_program() {
         books_.end_frame();
         probe_.tell([this](SupervisorListener& listener) { listener.frame_ended(0, now()); });
     }
+    enter(PartState::idle);
 }
 
 // The first lane whose word `error` is not 0.

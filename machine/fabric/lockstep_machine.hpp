@@ -70,6 +70,8 @@ class LockstepMachine final : public Component {
     // counted.
     Probe<NodeListener>& lane_probe() { return lane_probe_; }
     Probe<SupervisorListener>& probe() { return probe_; }
+    // The sequencer: busy while it executes, blocked while a scanline waits for its end.
+    PartProbe& part_probe() { return part_probe_; }
 
     // Of the phases that have ended.
     const LockstepStatistics& statistics() const { return books_.statistics(); }
@@ -85,6 +87,7 @@ class LockstepMachine final : public Component {
 
     void begin_line();
     void run();
+    void enter(PartState state);
     bool goes_on();
     bool end_line();
     bool show_line();
@@ -113,6 +116,7 @@ class LockstepMachine final : public Component {
     std::vector<std::uint16_t> video_;  // [line x lanes + lane]
     Probe<NodeListener> lane_probe_;
     Probe<SupervisorListener> probe_;
+    PartProbe part_probe_;
 };
 
 }  // namespace rasterloom

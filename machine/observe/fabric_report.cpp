@@ -75,6 +75,8 @@ std::string_view name_of(FabricPart part) {
             return "frame_buffer_bus";
         case FabricPart::turn_bus:
             return "turn_bus";
+        case FabricPart::sequencer:
+            return "sequencer";
     }
     return {};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lay between the host and the processors of a machine that deals out the screen.
+// What lay between the host and the processors of a machine that deals out the screen; and the
+// sequencer of a lock-step machine.
 #pragma once
 
 #include "machine/kernel/time.hpp"
@@ -17,7 +18,7 @@ struct FifoReport {
     Duration full;
 };
 
-enum class FabricPart : std::uint8_t { host, splitter, bus, frame_buffer_bus, turn_bus };
+enum class FabricPart : std::uint8_t { host, splitter, bus, frame_buffer_bus, turn_bus, sequencer };
 
 std::string_view name_of(FabricPart part);  // "host", "splitter", "bus", ...
 
@@ -27,13 +28,14 @@ struct FabricPartReport {
     FabricPart part = FabricPart::host;
     std::int64_t polygons = 0;  // sent, split, broadcast; pixels of a frame-buffer bus
     std::int64_t vertices = 0;
-    std::int64_t words = 0;  // of a bus
+    std::int64_t words = 0;  // of a bus; of a sequencer: by all lanes, a place further
     std::int64_t cut = 0;    // polygons that went both ways
     std::int64_t low_polygons = 0;
     std::int64_t high_polygons = 0;
     Duration busy;
     // Had something to hand on, and somebody had no room for it. Of a frame-buffer bus: pixels
-    // waited for their turn, summed over the processors.
+    // waited for their turn, summed over the processors. Of a sequencer: waited for the next
+    // scanline.
     Duration blocked;
     std::string waited_for;  // the one that had no room for the longest time; empty: nobody
     Duration waited_for_it;

@@ -29,7 +29,7 @@ struct MachineNames {
     std::vector<ComponentLabel> components;  // by id
     std::vector<ComponentId> nodes;          // [node]
     std::vector<LinkEnds> links;             // of a graph
-    std::vector<ComponentId> parts;          // of a machine that deals out the screen
+    std::vector<ComponentId> parts;          // of a machine that deals out the screen; a sequencer
     std::vector<std::string> activities;     // as MARK names them; may be shorter, entries empty
     std::vector<std::string> phases;         // of a frame; likewise
     Duration latency;                        // of the wires that carry messages

@@ -25,7 +25,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // A machine of few lanes and lines, and what it has told.
-class Machine : public SupervisorListener, public NodeListener {
+class Machine : public SupervisorListener, public NodeListener, public PartListener {
   public:
     explicit Machine(const std::string& source, LockstepMachine::Settings settings = {}) {
         settings.image = std::make_shared<const isa::Image>(image_of(source));
@@ -34,6 +34,7 @@ class Machine : public SupervisorListener, public NodeListener {
         simulation.seal();
         machine->probe().attach(*this);
         machine->lane_probe().attach(*this);
+        machine->part_probe().attach(*this);
     }
 
     RunResult run(Time limit = Time::never()) {
@@ -53,12 +54,17 @@ class Machine : public SupervisorListener, public NodeListener {
     void phase_ended(const PhaseRecord& phase) override { phases.push_back(phase); }
     void frame_ended(int frame, Time at) override { frames.emplace_back(frame, at); }
     void interval_ended(const StateInterval& interval) override { intervals.push_back(interval); }
+    void part_interval_ended(const PartInterval& interval) override {
+        EXPECT_EQ(interval.part, machine->id());
+        sequencer.emplace_back(interval.state, interval.from, interval.to);
+    }
 
     Simulation simulation;
     LockstepMachine* machine = nullptr;
     std::vector<PhaseRecord> phases;
     std::vector<std::pair<int, Time>> frames;
     std::vector<StateInterval> intervals;
+    std::vector<std::tuple<PartState, Time, Time>> sequencer;
     int pauses = 0;
 };
 
@@ -100,6 +106,26 @@ TEST(LockstepMachine, BeginsAScanlineEvery910CyclesWithoutDrift) {
     EXPECT_EQ(m.machine->array().read(1, kCount), lines + 1);
     // 14 MHz: 9 100 000 cycles are 650 ms to the picosecond, though a cycle is no whole number.
     EXPECT_EQ(end, Time::zero() + Duration::milliseconds(650));
+}
+
+TEST(LockstepMachine, TellsWhenTheSequencerExecutesAndWhenItWaitsForTheNextScanline) {
+    const auto edge = [](std::int64_t cycle) { return at(small().clock, cycle); };
+    Machine m(
+        " callp\n"
+        "begin: setp draw\n"
+        " line\n"
+        "draw: frame\n"
+        " setp rest\n"
+        "rest: line\n"
+        " .end begin\n",
+        small());
+    m.run(edge(200));
+    // Up to the only frame's end; from then on nothing counts.
+    EXPECT_THAT(m.sequencer, ElementsAre(std::tuple(PartState::busy, edge(0), edge(2)),
+                                         std::tuple(PartState::blocked, edge(2), edge(10)),
+                                         std::tuple(PartState::busy, edge(10), edge(12))));
+    EXPECT_EQ(m.machine->statistics().busy, edge(2).since_start() + (edge(12) - edge(10)));
+    EXPECT_EQ(m.machine->statistics().blocked, edge(10) - edge(2));
 }
 
 TEST(LockstepMachine, LetsAProgramUseTheWholeScanlineAndNoCycleMore) {

@@ -108,6 +108,11 @@ class Limits(unittest.TestCase):
         self.assertEqual(self.limit(("bus", "1", 70), ("node", "P0", 30))[0], "bus 1 (70 %)")
         self.assertEqual(self.limit(("splitter", "2", 70), ("node", "P0", 30))[0], "splitter 2 (70 %)")
         self.assertEqual(self.limit(("host", "host", 70), ("node", "P0", 30))[0], "host (70 %)")
+        phases = [{"name": name, "kind": "sequencer", "time_ps": time} for name, time in
+                  (("finish", 5), ("communicate", 55), ("rasterise", 20), ("migrate", 10), ("finish", 10))]
+        limit, communication = limit_of({"array": {}, "critical_paths": [{"duration_ps": 100, "phases": phases}]}, [])
+        self.assertEqual(limit, "sequencer, longest in communicate (55 %)")
+        self.assertAlmostEqual(communication, 0.65)
         self.assertTrue(re.match("waiting", self.limit(("wire", "from link", 70), ("node", "P0", 30))[0]))
 
 

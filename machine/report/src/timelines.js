@@ -53,17 +53,20 @@ function charts(run) {
     const states = stateLayers(run, node, null);
     list.push({ title: 'Processors: share of them in each state', unit: 'share', stacked: true, top: 1, layers: [...states, ...haltedLayer(states)] });
     const underWay = run.series.find((series) => series.of === 'machine');
-    if (underWay) {
+    const sends = run.statistics.messages > 0; // lanes of an array do not
+    if (underWay && sends) {
         list.push({ title: 'Messages under way', unit: 'messages', layers: [{ label: underWay.label, colour: lineColour(0), values: eachBin(run, (bin) => underWay.at(0, bin)) }] });
     }
-    list.push({ title: 'Queues of processors, messages', unit: 'messages', layers: meanAndMost(run, node, 'queue', 'processors') });
+    if (sends) {
+        list.push({ title: 'Queues of processors, messages', unit: 'messages', layers: meanAndMost(run, node, 'queue', 'processors') });
+    }
     if (link) {
         list.push({ title: 'Links: utilisation', unit: 'share', layers: meanAndMost(run, link, 'busy', 'links') });
     }
     if (part?.hasBins('busy')) {
         list.push({ title: 'Fabric: utilisation', unit: 'share', layers: partLayers(run, part) });
     }
-    if (part?.hasBins('queue')) {
+    if (sends && part?.hasBins('queue')) {
         list.push({ title: 'Queues of the fabric, messages', unit: 'messages', layers: meanAndMost(run, part, 'queue', 'parts') });
     }
     return list;
