@@ -30,7 +30,7 @@
         add_product hi, lo, b, y, p, q
         .endm
 
-; A parameter of two-word coefficients. bias, if it is not 0: whole units to be added in place of the half that is in the descriptor.
+; A parameter of two-word coefficients. bias: whole units to be added.
         .macro  long_value d, at, x, y, bias, hi, lo, ah, al, bh, bl, p, q
         ld      al, at(d)
         ld      ah, at+1(d)
@@ -41,8 +41,7 @@
         add_long_product hi, lo, ah, al, x, p, q
         add_long_product hi, lo, bh, bl, y, p, q
         .if ne bias
-        adds    lo, lo, #0x8000
-        adc     hi, hi, #bias-1
+        add     hi, hi, #bias
         .endc
         .endm
 

@@ -1,8 +1,12 @@
 ; SPDX-License-Identifier: MIT
 ; Geometry, second stage, part 2: makes a candidate (r30) a descriptor; follows light within the same procedure. Edges are exact. A parameter with the values p at the vertices has, per
 ; pixel, the slope 2^4 (p0 e12 + p1 e20 + p2 e01) / area along x, e the edges' A; along y their B (Eldridge 1995, figure 3-9). The sums
-; are exact in 32 bits, the area's reciprocal is taken once, in 16 bits. Where the area is less than half a pixel or a slope has no room
-; in its words both are 0. C is such that p is right at vertex 0.
+; are exact in 32 bits, the area's reciprocal is taken once, in 16 bits. Both are 0 where the area is less than 1/16 pixel, beyond the shift that
+; `slope` has. C is such that p is right at vertex 0.
+;
+; Slopes are kept modulo 2^32, however steep: samples are whole pixels, and what they lose are whole multiples of 2^16 in p. C, whose vertex may lie
+; between pixels, needs four bits more. Relative errors of the area's reciprocal are the same in both slopes, so they change p only by that part of its
+; difference from vertex 0. The intensity's slopes have one word each, with no room for this: both are 0 where one does not fit.
 ;
 ; Registers: r1 the descriptor, r3 sx0, r4 sy0, r9 r10 A and B of edge 01, r11 r12 of 12, r13 r14 of 20, r15 2^46 / (area 2^s), r16
 ; 2^((s - 10) mod 16), r17 1 where s < 10, else 0, r18 2^12 sx0, r19 2^12 sy0, r20 0x8000, r21 to r23 2^28 / z'.
@@ -23,8 +27,8 @@
         st      h, to+3(r1)
         .endm
 
-; hi:lo := the slope for edge coefficients e12, e20, e01, s15.16; it fits if `over` is its sign. words: four of memory, where the product
-; of 48 bits waits to be read shifted by one word or none. t, u, v, w: spoilt.
+; over:hi:lo := the slope for edge coefficients e12, e20, e01, s31.16. words: four of memory, where the product of 48 bits waits to be read
+; shifted by one word or none. t, u, v, w: spoilt.
         .macro  slope lo, hi, over, e12, e20, e01, p0, p1, p2, words, t, u, v, w
         productsu t, u, e12, p0
         productsu lo, hi, e20, p1
@@ -49,7 +53,7 @@
         mulsu   over, v, r16, 16
         .endm
 
-; mask := -1 where both slopes fit, else 0. Changes T; t: spoilt.
+; mask := -1 where both upper words fit theirs, else 0. Changes T; t: spoilt.
         .macro  both_fit mask, hi1, over1, hi2, over2, t
         mul     t, hi1, #1, 15
         teq     t, over1
@@ -59,32 +63,30 @@
         sub     mask, r0, mask
         .endm
 
-; cl:ch := cl:ch - hi:lo * s / 16; s12 = 2^12 s. t, u: spoilt.
-        .macro  less_slope cl, ch, lo, hi, s, s12, t, u
+; cl:ch := cl:ch - over:hi:lo * s / 16; s12 = 2^12 s. t, u: spoilt.
+        .macro  less_slope cl, ch, lo, hi, over, s, s12, t, u
         mulsu   t, s, lo, 4
         mulsu   u, s, lo, 20
         sub32   cl, ch, cl, ch, t, u
         mul     t, hi, s12, 0
-        mul     u, hi, s, 4
+        mulsu   u, s, hi, 4
         sub32   cl, ch, cl, ch, t, u
+        mul     t, over, s12, 0
+        sub     ch, ch, t
         .endm
 
 ; The descriptor's six words at `to` for the unsigned values p0 ... p2; fraction: added to them, in 2^-16. Spoils r2, r5 ... r8, r27 ... r31.
         .macro  plane to, p0, p1, p2, fraction
         slope   r2, r5, r6, r11, r13, r9, p0, p1, p2, words_x, r28, r29, r30, r31
         slope   r7, r8, r27, r12, r14, r10, p0, p1, p2, words_y, r28, r29, r30, r31
-        both_fit r28, r5, r6, r8, r27, r29
-        .irp    word, <r2, r5, r7, r8>
-        and     word, word, r28
-        .endr
         st      r2, to(r1)
         st      r5, to+1(r1)
         st      r7, to+2(r1)
         st      r8, to+3(r1)
         mov     r30, fraction
         mov     r31, p0
-        less_slope r30, r31, r2, r5, r3, r18, r28, r29
-        less_slope r30, r31, r7, r8, r4, r19, r6, r27
+        less_slope r30, r31, r2, r5, r6, r3, r18, r28, r29
+        less_slope r30, r31, r7, r8, r27, r4, r19, r2, r5
         st      r30, to+4(r1)
         st      r31, to+5(r1)
         .endm
@@ -172,7 +174,7 @@ planes:
         edge    d_edges, r9, r10, r3, r4, r5, r6, r15, r16, r17, r18
         edge    d_edges+4, r11, r12, r5, r6, r7, r8, r19, r20, r24, r25
         edge    d_edges+8, r13, r14, r7, r8, r3, r4, r15, r16, r17, r18
-        tltu    r28, #256
+        tltu    r28, #32
         teq.and r29, r0
         tget    r27
         sub     r27, r27, #1            ; 0 where the area is too small

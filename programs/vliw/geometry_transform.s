@@ -22,19 +22,27 @@ kTransformsALine = 4            ; polygons
         add     l, l, t
         .endm
 
-; T := T and |coordinate| < z', by its upper word h and quarter, which is a little less than z' / 4: then the quotient fits s.15.
-        .macro  within h, quarter, t, u
-        add     t, h, quarter
-        mul     u, quarter, #2
+; T := T and |coordinate| < z', by its upper word h and a quarter that is a little less than z' / 4: then the quotient fits s.15.
+        .macro  within h, z, t, u
+        mulu    u, z, #0x3ff8, 16
+        add     t, h, u
+        add     u, u, u
         tltu.and t, u
         .endm
 
-; s := middle + f l / z' in 1/16 pixel; r: 2^28 / z'. `centre` lets the errors of two products, rounded down, lie about 0.
-        .macro  project s, l, r, f, middle, centre
-        mulsu   l, l, r, 13
-        add     l, l, #centre
-        mul     l, l, f, 15
-        add     s, l, #middle
+; s := middle + f l / z' in 1/16 pixel, to the nearest; r: 2^28 / z'. The table's quotient is up to 3 too small or 1 too great; what its product
+; with z' misses of f l and half a z', in quarters, mends it.
+        .macro  project s, l, r, z, f, middle, t, u
+        mulsu   s, l, r, 13
+        mul     s, s, f, 15
+        mul     t, l, f, 2
+        mul     u, s, z, 2
+        sub     t, t, u
+        mulu    u, z, #0x2000, 16
+        add     t, t, u
+        mulsu   t, t, r, 26
+        add     s, s, t
+        add     s, s, #middle
         .endm
 
         .macro  load_vertex v, x, y, z
@@ -43,25 +51,25 @@ kTransformsALine = 4            ; polygons
         ld      z, <7*v>+2(r28)
         .endm
 
-; Vertex v in x, y, z: its screen coordinates, its part of the candidate; T := T and it is near enough and not too far from the middle.
-; `next` is done before the last store, so that the next vertex's work may begin.
-        .macro  transform_vertex v, sx, sy, x, y, z, m, l, h, t, u, quarter, r, next
-        eye_coordinate 2, l, h, x, y, z, m, t, u
-        tltu.and h, #0x2000
-        tge.and l, r30
-        ld      r, reciprocals(l)
-        mulu    quarter, l, #0x3ff8, 16
-        st      l, <3*v>+2+d_eye(r29)
+; Vertex v in x, y, z: its screen coordinates, its part of the candidate; T := T and it is near enough and not too far from the middle. The rows
+; take turns in the registers to work with, so that one's perspective goes beside the next one's products. `next` is done before the last store,
+; so that the next vertex's work may begin.
+        .macro  transform_vertex v, sx, sy, x, y, z, depth, r, m1, l1, h1, t1, u1, m2, l2, h2, t2, u2, next
+        eye_coordinate 2, depth, h1, x, y, z, m1, t1, u1
+        tltu.and h1, #0x2000
+        tge.and depth, r30
+        ld      r, reciprocals(depth)
+        st      depth, <3*v>+2+d_eye(r29)
         st      r, v+d_reciprocals(r29)
-        eye_coordinate 0, l, h, x, y, z, m, t, u
-        within  h, quarter, t, u
-        st      l, <3*v>+d_eye(r29)
-        project sx, l, r, r31, 8*screen_columns, 2
-        eye_coordinate 1, l, h, x, y, z, m, t, u
-        within  h, quarter, t, u
+        eye_coordinate 0, l2, h2, x, y, z, m2, t2, u2
+        within  h2, depth, t2, u2
+        st      l2, <3*v>+d_eye(r29)
+        eye_coordinate 1, l1, h1, x, y, z, m1, t1, u1
+        project sx, l2, r, depth, r31, 8*screen_columns, t2, u2
+        within  h1, depth, t1, u1
         next
-        st      l, <3*v>+1+d_eye(r29)
-        project sy, l, r, r27, 8*screen_rows, -1
+        st      l1, <3*v>+1+d_eye(r29)
+        project sy, l1, r, depth, r27, 8*screen_rows, t1, u1
         .endm
 
 ; The whole pixels from the least to the greatest of a, b, c; T := T and there are some, and some of 0 ... size - 1 may be among them.
@@ -118,9 +126,9 @@ kTransformsALine = 4            ; polygons
 ; coordinates in r21 ... r26. Box, eye coordinates and reciprocals are in the candidate. `loads` is done before the box is stored.
         .macro  transform_polygon loads
         load_vertex 0, r1, r2, r3
-        transform_vertex 0, r21, r22, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10, <load_vertex 1, r11, r12, r13>
-        transform_vertex 1, r23, r24, r11, r12, r13, r14, r15, r16, r17, r18, r19, r20, <load_vertex 2, r1, r2, r3>
-        transform_vertex 2, r25, r26, r1, r2, r3, r4, r5, r6, r7, r8, r9, r10
+        transform_vertex 0, r21, r22, r1, r2, r3, r9, r10, r4, r5, r6, r7, r8, r14, r15, r16, r17, r18, <load_vertex 1, r11, r12, r13>
+        transform_vertex 1, r23, r24, r11, r12, r13, r19, r20, r14, r15, r16, r17, r18, r4, r5, r6, r7, r8, <load_vertex 2, r1, r2, r3>
+        transform_vertex 2, r25, r26, r1, r2, r3, r9, r10, r4, r5, r6, r7, r8, r14, r15, r16, r17, r18
         loads
         box     r11, r12, r13, r21, r23, r25, screen_columns, r14, r15
         st      r11, d_left(r29)

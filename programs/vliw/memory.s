@@ -100,11 +100,11 @@ kDatabase   = kPolygon
 ;
 ; A polygon descriptor (figure 7-6). Edges: E = A x + B y + C, x and y whole pixels, A and B in 1/16 pixel, C the floor of 1/16 of the
 ; exact value; a sample is inside where all three E >= 0 (so its sign is exact). Parameters p(x, y) = A x + B y + C, slopes s15.16, values
-; 16.16 without a sign, modulo 2^32: depth is 2^28 / z' (greater is nearer), u and v are u (0 ... 255) times depth / 256. Intensity: A, B
-; s7.8, C s15.16, 0 ... 255. The C of u, v and intensity have half a unit added: so their whole parts are rounded, and inside the triangle
-; they are never below 0 nor above 255 (u, v: times depth / 256); intensity, whose slopes are short, as far as 256 pixels from vertex 0,
-; across and down together.
-; Slopes are 0 where the triangle's area is less than half a pixel or one of the parameter's two has no room in its words.
+; 16.16 without a sign, all modulo 2^32, slopes steeper than their words, too: depth is 2^28 / z' (greater is nearer), u and v are u (0 ... 255)
+; times depth / 256. At the vertices they are right to half a unit: u and v are rounded down, then C has half a unit more. Intensity: A, B
+; s7.8, C s15.16, 0 ... 255, and half a unit added to C: so its whole part is rounded, and inside the triangle it is never below 0 nor above
+; 255 as far as 256 pixels from vertex 0, across and down together.
+; Slopes are 0 where the triangle's area is less than 1/16 pixel, those of intensity also where one of the two has no room in its word.
 kDescriptor = 42        ; words; 32-bit values: lower word first
 d_left      = 0         ; columns and rows, whole pixels, within the screen: ceil of the least, floor of the greatest
 d_right     = 1
@@ -128,7 +128,7 @@ n_texture   = 5         ; not 0: textured
 n_edges     = 8         ; three of: step, value
 n_depth     = 22        ; step, value
 n_intensity = 26        ; step, value; 64 times (the intensity less 255), without the half unit
-n_u         = 32        ; step, value without the half unit, plus kUBias, which keeps rounding's -0 from being a great number
+n_u         = 32        ; step, value plus kUBias, which keeps rounding's -0 from being a great number
 n_v         = 38
 kUBias      = 128       ; whole units
 ;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -125,18 +126,17 @@ std::string Descriptor::sample_complaint() const {
     return {};
 }
 
-// The greater of the slopes along x and y, by size, of the middle values.
-double Descriptor::steepest(const PlaneValues& values) const {
-    double along_x = 0;
-    double along_y = 0;
+// Of the middle values.
+Descriptor::Slopes Descriptor::slopes(const PlaneValues& values) const {
+    Slopes sum;
     for (std::size_t i = 0; i < 3; ++i) {
         const Edge opposite = edge((i + 1) % 3);
         const double value = (values[i].least + values[i].most) / 2;
-        along_x += value * static_cast<double>(opposite.a);
-        along_y += value * static_cast<double>(opposite.b);
+        sum.x += value * static_cast<double>(opposite.a);
+        sum.y += value * static_cast<double>(opposite.b);
     }
-    return 16 * std::max(std::abs(along_x), std::abs(along_y)) /
-           static_cast<double>(doubled_area());
+    const double scale = 16 / static_cast<double>(doubled_area());
+    return {sum.x * scale, sum.y * scale};
 }
 
 // Of the words' many values, which differ by 2^16, the one nearest to `expected`.
@@ -149,11 +149,12 @@ double Descriptor::value_at(const Plane& plane, std::size_t corner, double expec
 
 std::string Descriptor::complaint(std::string_view name, const Plane& plane,
                                   const PlaneValues& expected) const {
-    constexpr double kHalfPixel = 256;
-    const double steep = steepest(expected);
+    constexpr double kSixteenthPixel = 32;
+    const Slopes slope = slopes(expected);
+    const double steep = std::max(std::abs(slope.x), std::abs(slope.y));
     const bool flat = plane.a == 0 && plane.b == 0;
     const bool must_be_flat =
-        static_cast<double>(doubled_area()) < kHalfPixel || steep > plane.limit * 1.01 + 2;
+        static_cast<double>(doubled_area()) < kSixteenthPixel || steep > plane.limit * 1.01 + 2;
     const bool may_be_flat = must_be_flat || steep > plane.limit * 0.99 - 2;
     if (must_be_flat && !flat) {
         return fmt::format("{} has slopes {} and {}; ", name, plane.a, plane.b);
@@ -178,10 +179,20 @@ std::string Descriptor::complaint(std::string_view name, const Plane& plane,
     return {};
 }
 
-std::string Descriptor::plane_complaint(std::string_view name, std::size_t at, double added,
+// Slopes are kept modulo 2^32: of their many values the ones nearest to the expected.
+std::string Descriptor::plane_complaint(std::string_view name, std::size_t at,
                                         const PlaneValues& expected) const {
+    constexpr double kModulus = 4294967296;
+    const auto nearest = [](std::int64_t word, double slope) {
+        return word + std::llround((slope * kFraction - static_cast<double>(word)) / kModulus) *
+                          (std::int64_t{1} << 32);
+    };
+    const Slopes slope = slopes(expected);
+    const bool flat = long_word(at) == 0 && long_word(at + 2) == 0;
     return complaint(
-        name, {long_word(at), long_word(at + 2), long_word(at + 4), 1 / kFraction, 32768, added},
+        name,
+        {flat ? 0 : nearest(long_word(at), slope.x), flat ? 0 : nearest(long_word(at + 2), slope.y),
+         long_word(at + 4), 1 / kFraction, std::numeric_limits<double>::infinity(), 0},
         expected);
 }
 

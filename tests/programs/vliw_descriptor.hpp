@@ -51,8 +51,8 @@ class Descriptor {
     std::string box_complaint() const;
     // Samples farther than 1/4 pixel from the expected triangle's sides are in or out as there.
     std::string sample_complaint() const;
-    // Of six words at `at`, whose values have something added.
-    std::string plane_complaint(std::string_view name, std::size_t at, double added,
+    // Of six words at `at`.
+    std::string plane_complaint(std::string_view name, std::size_t at,
                                 const PlaneValues& expected) const;
     std::string intensity_complaint(const PlaneValues& expected) const;
 
@@ -61,10 +61,14 @@ class Descriptor {
         std::int64_t a, b, c;
         std::int64_t at(std::int64_t x, std::int64_t y) const { return a * x + b * y + c; }
     };
+    struct Slopes {
+        double x = 0;
+        double y = 0;
+    };
     struct Plane {
         std::int64_t a, b, c;  // 16 bits of fraction
         double step;           // what a slope may be wrong by
-        double limit;          // no slope reaches it
+        double limit;          // steeper ones are 0
         double added;          // to the values
     };
 
@@ -75,7 +79,7 @@ class Descriptor {
     Edge edge(std::size_t k) const;
     std::optional<ScreenCorners> corners_from(ScreenCorner first) const;
     std::int64_t doubled_area() const;
-    double steepest(const PlaneValues& values) const;
+    Slopes slopes(const PlaneValues& values) const;
     double value_at(const Plane& plane, std::size_t corner, double expected) const;
     std::string complaint(std::string_view name, const Plane& plane,
                           const PlaneValues& expected) const;

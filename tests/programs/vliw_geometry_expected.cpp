@@ -101,10 +101,9 @@ ExpectedPolygon::ExpectedPolygon(const VliwView& view, const VliwLights& lights,
         const auto& [x, y, z] = vertex.eye;
         vertex.sx = 16 * 384 + view.focal * x / z;
         vertex.sy = 16 * 256 - view.focal * y / z;
-        // Two products rounded down about 0; coordinates to whole units; the reciprocal.
+        // To the nearest; the eye's coordinates to whole units.
         const double slope = std::max(std::abs(x), std::abs(y)) / z;
-        vertex.error =
-            0.75 + 0.5 * view.focal / z * (1 + slope) + view.focal * slope * z / std::exp2(29);
+        vertex.error = 0.501 + 0.5 * view.focal / z * (1 + slope);
         vertex.depth = std::exp2(28) / z;
         vertex.u = given.u * vertex.depth / 256;
         vertex.v = given.v * vertex.depth / 256;
@@ -184,15 +183,14 @@ std::string ExpectedPolygon::parameter_complaint(const Descriptor& descriptor,
         const ExpectedVertex& vertex = vertices_[i];
         const double depth_error = 0.51 + vertex.depth / vertex.eye[2] / 2;
         depth[i] = {vertex.depth, vertex.depth, depth_error};
-        u[i] = {vertex.u, vertex.u, 1 + depth_error};
-        v[i] = {vertex.v, vertex.v, 1 + depth_error};
+        u[i] = {vertex.u, vertex.u, 0.51 + depth_error};
+        v[i] = {vertex.v, vertex.v, 0.51 + depth_error};
         intensity[i] = {vertex.intensity.least, vertex.intensity.most, 0.5};
     }
-    std::string text = descriptor.plane_complaint("depth", 20, 0, depth) +
-                       descriptor.intensity_complaint(intensity);
+    std::string text =
+        descriptor.plane_complaint("depth", 20, depth) + descriptor.intensity_complaint(intensity);
     if (textured) {
-        text += descriptor.plane_complaint("u", 30, 0.5, u) +
-                descriptor.plane_complaint("v", 36, 0.5, v);
+        text += descriptor.plane_complaint("u", 30, u) + descriptor.plane_complaint("v", 36, v);
     }
     return text;
 }

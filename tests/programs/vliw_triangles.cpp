@@ -9,7 +9,7 @@ namespace rasterloom::test {
 namespace {
 
 constexpr int kSub = 16;         // of a vertex's coordinates in a pixel
-constexpr double kHalf = 0.5;    // that C has more (memory.s)
+constexpr double kHalf = 0.5;    // that intensity's C has more (memory.s)
 constexpr double kDoubt = 0.02;  // depths that are this near to each other may compare either way
 
 // 256 times E = A x + B y + C of the edge from `from` to `to` at a whole pixel.
@@ -66,10 +66,10 @@ void put_long(DescriptorWords& words, std::size_t at, std::int64_t value) {
     words[at] = word(value);
     words[at + 1] = word(value >> 16);
 }
-void put_plane(DescriptorWords& words, std::size_t at, const Plane& plane, double added = 0) {
+void put_plane(DescriptorWords& words, std::size_t at, const Plane& plane) {
     put_long(words, at, fixed(plane.a, 16));
     put_long(words, at + 2, fixed(plane.b, 16));
-    put_long(words, at + 4, fixed(plane.c + added, 16));
+    put_long(words, at + 4, fixed(plane.c, 16));
 }
 
 // With slopes of few bits the value is exact at the first vertex.
@@ -131,8 +131,8 @@ DescriptorWords descriptor_of(const RasterTriangle& triangle, int columns) {
     put_edges(words, triangle);
     put_plane(words, 20, plane(triangle, depth_of));
     put_intensity(words, 26, triangle);
-    put_plane(words, 30, plane(triangle, u_of), kHalf);
-    put_plane(words, 36, plane(triangle, v_of), kHalf);
+    put_plane(words, 30, plane(triangle, u_of));
+    put_plane(words, 36, plane(triangle, v_of));
     return words;
 }
 
