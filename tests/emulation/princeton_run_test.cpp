@@ -55,6 +55,13 @@ TEST(PrincetonRun, DrawsATurningObjectAsTheReferenceDoesLineLockedAndNot) {
     EXPECT_LT(free.report.end, locked.report.end);
 }
 
+// Many of its triangles are smaller than a pixel, and every texel's border shows where a vertex is.
+TEST(PrincetonRun, DrawsAHardTextureOnSmallTrianglesAsTheReferenceDoes) {
+    expect_like_the_reference(run(
+        shipped("princeton1024-sort-middle.yaml", {"scene.polygons=34404", "scene.texture=checker",
+                                                   "array.line_locked=false", "run.threads=1"})));
+}
+
 TEST(PrincetonRun, ShowsOnItsVideoOutputThePictureInSixteenBits) {
     const RunOutcome outcome = run(cube({"run.frames=2"}));
     ASSERT_EQ(outcome.videos.size(), 2U);
