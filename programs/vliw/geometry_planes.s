@@ -6,7 +6,8 @@
 ;
 ; Slopes are kept modulo 2^32, however steep: samples are whole pixels, and what they lose are whole multiples of 2^16 in p. C, whose vertex may lie
 ; between pixels, needs four bits more. Relative errors of the area's reciprocal are the same in both slopes, so they change p only by that part of its
-; difference from vertex 0. The intensity's slopes have one word each, with no room for this: both are 0 where one does not fit.
+; difference from vertex 0. The intensity's slopes have one word each, with no room for this: where one does not fit both are 0, and the intensity is
+; the vertices' mean.
 ;
 ; Registers: r1 the descriptor, r3 sx0, r4 sy0, r9 r10 A and B of edge 01, r11 r12 of 12, r13 r14 of 20, r15 2^46 / (area 2^s), r16
 ; 2^((s - 10) mod 16), r17 1 where s < 10, else 0, r18 2^12 sx0, r19 2^12 sy0, r20 0x8000, r21 to r23 2^28 / z'.
@@ -117,8 +118,16 @@
         and     r8, r8, r28
         st      r5, to(r1)
         st      r8, to+1(r1)
-        mul     r30, p0, #256, 0
-        mulu    r31, p0, #256, 16
+        mulu    r29, p0, #0x5555, 16    ; p0, or the mean
+        mulu    r30, p1, #0x5555, 16
+        mulu    r31, p2, #0x5555, 16
+        add     r29, r29, r30
+        add     r29, r29, r31
+        sub     r29, r29, p0
+        andn    r29, r29, r28
+        add     r29, r29, p0
+        mul     r30, r29, #256, 0
+        mulu    r31, r29, #256, 16
         add32   r30, r31, r30, r31, r20, r0
         less_short_slope r30, r31, r5, r3, r28, r29
         less_short_slope r30, r31, r8, r4, r6, r27

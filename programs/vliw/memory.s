@@ -104,7 +104,8 @@ kDatabase   = kPolygon
 ; times depth / 256. At the vertices they are right to half a unit: u and v are rounded down, then C has half a unit more. Intensity: A, B
 ; s7.8, C s15.16, 0 ... 255, and half a unit added to C: so its whole part is rounded, and inside the triangle it is never below 0 nor above
 ; 255 as far as 256 pixels from vertex 0, across and down together.
-; Slopes are 0 where the triangle's area is less than 1/16 pixel, those of intensity also where one of the two has no room in its word.
+; Slopes are 0 where the triangle's area is less than 1/16 pixel, those of intensity also where one of the two has no room in its
+; word: then it is the mean of the vertices'.
 kDescriptor = 42        ; words; 32-bit values: lower word first
 d_left      = 0         ; columns and rows, whole pixels, within the screen: ceil of the least, floor of the greatest
 d_right     = 1

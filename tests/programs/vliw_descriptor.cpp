@@ -159,10 +159,21 @@ std::string Descriptor::complaint(std::string_view name, const Plane& plane,
     if (must_be_flat && !flat) {
         return fmt::format("{} has slopes {} and {}; ", name, plane.a, plane.b);
     }
-    const double range = std::max({expected[0].most, expected[1].most, expected[2].most}) -
-                         std::min({expected[0].least, expected[1].least, expected[2].least});
-    const std::size_t checked = flat && may_be_flat ? 1 : 3;
-    for (std::size_t i = 0; i < checked; ++i) {
+    const double least = std::min({expected[0].least, expected[1].least, expected[2].least});
+    const double most = std::max({expected[0].most, expected[1].most, expected[2].most});
+    if (flat && may_be_flat) {
+        const double value = value_at(plane, 0, (least + most) / 2) - plane.added;
+        const double error = expected[0].error + 0.01;
+        return value < least - error || value > most + error
+                   ? fmt::format("{} is {}, not {} to {}; ", name, value, least, most)
+                   : std::string();
+    }
+    return slope_complaint(name, plane, expected, most - least);
+}
+
+std::string Descriptor::slope_complaint(std::string_view name, const Plane& plane,
+                                        const PlaneValues& expected, double range) const {
+    for (std::size_t i = 0; i < expected.size(); ++i) {
         const ScreenCorner& first = corners_[0];
         const ScreenCorner& place = corners_[i];
         const auto away =

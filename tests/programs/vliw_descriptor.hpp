@@ -83,6 +83,8 @@ class Descriptor {
     double value_at(const Plane& plane, std::size_t corner, double expected) const;
     std::string complaint(std::string_view name, const Plane& plane,
                           const PlaneValues& expected) const;
+    std::string slope_complaint(std::string_view name, const Plane& plane,
+                                const PlaneValues& expected, double range) const;
 
     const VliwDescriptor& words_;
     ScreenTriangle expected_;

@@ -245,6 +245,42 @@ TEST(VliwGeometry, RoundsTheSlopesOfIntensity) {
     }
 }
 
+// 1/8 pixel across at its foot, from u = 0 to 255 and from dark to light; the sample (384, 256) is
+// half way up.
+VliwPolygon sliver() {
+    VliwPolygon result;
+    result.vertices = {vertex(-2, -450, 16000), vertex(2, -450, 16000), vertex(0, 450, 16000)};
+    result.vertices[0].u = 0;
+    result.vertices[1].u = 255;
+    result.vertices[2].u = 100;
+    result.vertices[0].normal = {0, 0, 0};
+    result.vertices[1].normal = {0, 0, -16384};
+    result.vertices[2].normal = {0, 0, -8192};
+    return result;
+}
+
+TEST(VliwGeometry, KeepsSlopesThatAreSteeperThanTheirWords) {
+    const VliwGeometryRun run({}, {}, {{sliver()}});
+    const VliwDescriptor words = run.descriptors(0).at(0);
+    const auto number = [&](std::size_t at) {
+        return words[at] | std::uint32_t{words[at + 1]} << 16;
+    };
+    constexpr double kDepth = 268435456.0 / 16000;
+    const double slope = 8 * 255 * kDepth / 256;
+    EXPECT_GT(slope, 32768);
+    EXPECT_NEAR(number(30) / 65536.0, std::fmod(slope, 65536), slope / 16384);
+    EXPECT_NEAR((number(34) + number(30) * 384 + number(32) * 256) / 65536.0,
+                (255 / 2.0 + 100) / 2 * kDepth / 256, 1);
+}
+
+TEST(VliwGeometry, TakesTheMeanIntensityWhereItIsSteeperThanItsWords) {
+    const VliwGeometryRun run({}, {.sun = {0, 0, -16384}, .sun_diffuse = 120}, {{sliver()}});
+    const VliwDescriptor words = run.descriptors(0).at(0);
+    EXPECT_EQ(words[26], 0);
+    EXPECT_EQ(words[27], 0);
+    EXPECT_NEAR((words[28] | words[29] << 16) / 65536.0, (0 + 120 + 60) / 3 + 0.5, 0.02);
+}
+
 TEST(VliwGeometry, GoesByTheMatrixThatItBeganWith) {
     VliwScenes scenes(700);
     const auto view = scenes.view(16000);
