@@ -18,17 +18,6 @@ bool is_condition(std::string_view name) {
     return std::find(kConditions.begin(), kConditions.end(), name) != kConditions.end();
 }
 
-// "<text>" or plain text.
-std::string_view argument(std::string_view text) {
-    Cursor cursor(trim(text));
-    if (cursor.peek() == '<') {
-        if (const auto inside = cursor.take_delimited()) {
-            return *inside;
-        }
-    }
-    return trim(text);
-}
-
 }  // namespace
 
 // Whether the operation was a conditional's; these are obeyed in text that is not assembled, too.
@@ -88,10 +77,10 @@ void Pass::open_conditional(std::string_view condition, Rest operands, std::size
 
 std::optional<bool> Pass::test(std::string_view condition, Rest operands, std::size_t at) {
     if (condition == "df" || condition == "ndf") {
-        return test_defined(operands) == (condition == "df");
+        return test_defined(unbracketed(operands)) == (condition == "df");
     }
     if (condition == "b" || condition == "nb") {
-        return trim(argument(operands.text)).empty() == (condition == "b");
+        return trim(unbracketed(operands).text).empty() == (condition == "b");
     }
     if (condition == "idn" || condition == "dif") {
         const auto identical = test_identical(operands);
@@ -106,8 +95,26 @@ std::optional<bool> Pass::test(std::string_view condition, Rest operands, std::s
     return std::nullopt;
 }
 
+// The text of "<text>", or plain text as it is.
+Pass::Rest Pass::unbracketed(Rest operands) {
+    Cursor cursor(operands.text);
+    cursor.skip_blanks();
+    const std::size_t start = cursor.position() + 1;
+    const auto inside = cursor.peek() == '<' ? cursor.take_delimited() : std::nullopt;
+    if (!inside) {
+        return operands;
+    }
+    cursor.skip_blanks();
+    if (!cursor.at_end()) {
+        error(operands.at + cursor.position(),
+              fmt::format("'{}' stands behind the bracket of the condition's argument",
+                          trim(cursor.rest())));
+    }
+    return {*inside, operands.at + start};
+}
+
 std::optional<bool> Pass::test_value(std::string_view condition, Rest operands) {
-    const auto value = evaluate({argument(operands.text), operands.at});
+    const auto value = evaluate(operands);  // brackets are the expression's own
     if (!value) {
         return std::nullopt;
     }
@@ -126,8 +133,7 @@ std::optional<bool> Pass::test_value(std::string_view condition, Rest operands) 
 
 // "a & b ! c", from left to right: whether symbols are defined before this line.
 bool Pass::test_defined(Rest operands) {
-    const std::string_view text = argument(operands.text);
-    Cursor cursor(text);
+    Cursor cursor(operands.text);
     bool result = false;
     char op = '!';
     do {

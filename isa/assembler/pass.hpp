@@ -144,6 +144,7 @@ class Pass {
     std::optional<bool> test(std::string_view condition, Rest operands, std::size_t at);
     std::optional<bool> test_value(std::string_view condition, Rest operands);
     bool test_defined(Rest operands);
+    Rest unbracketed(Rest operands);
     std::optional<bool> test_identical(Rest operands);
     void do_iif(Rest operands);
 

@@ -94,6 +94,10 @@ TEST(AssemblerErrors, ReportWrongArguments) {
                 HasSubstr("t.s:3:6: macro 'm' takes 1 arguments, not more"));
     EXPECT_THAT(complaint(".macro m a\n.endm\nm b=2"), HasSubstr("has no parameter 'b'"));
     EXPECT_THAT(complaint(".if qe 0\n.endc"), HasSubstr("'qe' is no condition"));
+    EXPECT_THAT(complaint("nop\n.if ne <1>2\n.endc"), HasSubstr("t.s:2:11: "));
+    EXPECT_THAT(complaint("nop\n.if df <x>!<y>\n.endc"),
+                HasSubstr("t.s:2:11: '!<y>' stands behind the bracket"));
+    EXPECT_THAT(complaint(".if b <> x\n.endc"), HasSubstr("t.s:1:10: 'x' stands behind"));
     EXPECT_THAT(complaint(".error sizes differ"), HasSubstr("t.s:1:7: .error: sizes differ"));
     EXPECT_THAT(complaint(".radix 7"), HasSubstr("2, 8, 10 or 16 is expected"));
     EXPECT_THAT(complaint("r1: nop"), HasSubstr("is a register's name"));

@@ -135,6 +135,15 @@ TEST(Assembler, AssemblesOneSideOfAConditional) {
                 ElementsAre(5, 010102));
 }
 
+TEST(Assembler, ReadsTheWholeExpressionOfACondition) {
+    EXPECT_THAT(words("a = 0\nb = 1\n"
+                      ".if ne <a>!<b>\n.word 1\n.endc\n"
+                      ".if lt <a>-<b>\n.word 2\n.endc\n"
+                      ".iif eq <<a>&<b>>!a, .word 3\n"
+                      ".if ne <a!b>\n.word 4\n.endc"),
+                ElementsAre(1, 2, 3, 4));
+}
+
 TEST(Assembler, TakesDefinitionsFromOutside) {
     EXPECT_THAT(
         words(".if df big\n.word big\n.endc", {.include_dirs = {}, .defines = {{"big", 12}}}),
