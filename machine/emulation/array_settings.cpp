@@ -73,6 +73,11 @@ void check_scanlines(const Blueprint& blueprint) {
         throw machine.error("array.visible_lines", std::to_string(machine.array.visible_lines),
                             "the program's screen has fewer rows", fmt::format("at most {}", rows));
     }
+    if (machine.array.line_locked && image.symbol("unshown") && machine.array.lines <= rows) {
+        throw machine.error("array.lines", std::to_string(machine.array.lines),
+                            "the program waits for a scanline below its screen",
+                            fmt::format("at least {}", rows + 1));
+    }
     if (machine.array.line_locked && machine.screen.height > machine.array.visible_lines) {
         throw machine.error(
             "screen.height", std::to_string(machine.screen.height),

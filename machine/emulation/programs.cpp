@@ -31,17 +31,18 @@ isa::Image read_image(const MachineDescription& machine) {
 isa::AssemblerOptions assembler_options(const MachineDescription& machine) {
     isa::AssemblerOptions options;
     options.defines.insert(machine.nodes.symbols.begin(), machine.nodes.symbols.end());
-    const auto define = [&](const char* name, bool holds) {
+    const auto define = [&](const char* name, std::int64_t value) {
         if (options.defines.contains(name)) {
             throw machine.error(std::string("nodes.symbols.") + name, {},
                                 "is set by the machine itself", "no such symbol");
         }
-        options.defines[name] = holds ? 1 : 0;
+        options.defines[name] = value;
     };
     define("frame_buffer_bus",
            !machine.fabric.ideal && machine.fabric.frame_buffer == config::FrameBufferKind::bus);
     define("half_digested", machine.fabric.half_digested);
     define("line_locked", machine.array.line_locked);
+    define("scanlines", machine.array.lines);
     define("textured", machine.scene && machine.scene->texture.name != "none");
     return options;
 }

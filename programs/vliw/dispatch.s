@@ -9,13 +9,13 @@
 ;   taken for what they are, whatever they look like. The marker also sets the row that is shown right, should the machine and the program
 ;   have come apart. A matrix that has come entirely is taken over before the next picture's geometry (finish.s).
 ;
-; Registers: r1 ... r12. Memory: matrix_*, scanline.
+; Registers: r1 ... r12. Memory: matrix_*, scanline, unshown.
 
 matrix_due      = other_scratch+32      ; words of the matrix still to come
 matrix_complete = other_scratch+33      ; 1: all have come
 matrix_shadow   = other_scratch+34      ; 12 words
+unshown         = other_scratch+46      ; 1: the picture finished last is not yet being shown
 kMatrix         = 12
-kScanlines      = 525
 kRows           = screen_rows
 
 dispatch:
@@ -43,6 +43,11 @@ dispatch_word:
         tget    r5
         st      r5, matrix_complete
 dispatch_row:
+        tltu    r3, #kRows
+        tget    r11
+        ld      r12, unshown
+        andn    r12, r12, r11
+        st      r12, unshown
         .if ne video
         ld      r4, shown
         mul     r5, r3, #kPixel
@@ -57,13 +62,11 @@ dispatch_row:
         shr     r10, r10, #3
         or      r8, r8, r9
         or      r8, r8, r10
-        tlt     r3, #kRows
-        tget    r11
         mul     r8, r8, r11
         vout    r8
         .endc
         add     r3, r3, #1
-        tlt     r3, #kScanlines
+        tltu    r3, #scanlines
         tget    r12
         mul     r3, r3, r12
         st      r3, scanline

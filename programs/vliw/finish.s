@@ -1,6 +1,7 @@
 ; SPDX-License-Identifier: MIT
 ; From one picture to the next: buffers exchanged, the new one cleared, the matrix taken over. Line-locked this waits for the rows
-; that are not visible. After `frame` the word `shown` is the address of the picture just finished.
+; that are not visible, and for the picture before to have been shown: a small one may be done before it is.
+; After `frame` the word `shown` is the address of the picture just finished.
 ; Without video there are no buffers, nothing to be exchanged or cleared.
 ; Memory: clear_at. Counter: c4.
 
@@ -61,8 +62,12 @@ finish:
         phase   0
         .if ne line_locked
         ld      r1, scanline            ; the next one
-        tlt     r1, #kRows+1
+        ld      r2, unshown
+        tltu    r1, #kRows+1
+        tne.or  r2, r0
         bt      finish_wait
+        mov     r3, #1
+        st      r3, unshown
         .endc
         .if ne video
         ld      r2, drawing

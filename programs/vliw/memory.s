@@ -78,7 +78,7 @@ near_passes = 0x38      ; passes of 1 place
 pixel_passes = 0x3b     ; passes of pixels, lower and upper word: composite.s, fragments.s
 migration_passes = 0x3d ; passes of migrating polygons, lower and upper word: migrate.s
 most_homes  = 0x3f      ; the most polygons that this lane has held at the end of a migration
-scanline    = 0x3a      ; number of the next scanline, 0 ... 524 (line-locked)
+scanline    = 0x3a      ; number of the next scanline, 0 ... scanlines - 1 (line-locked)
 ;
 geometry_scratch = 0x40 ; 0x40 ... 0x9f
 other_scratch = 0xa0    ; 0xa0 ... 0xff: communication, rasterising

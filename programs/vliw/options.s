@@ -1,6 +1,7 @@
 ; SPDX-License-Identifier: MIT
 ; The renderer's options, as they are if they have not been set before. Another, `duplication`, is duplicate.s' own.
         .iif ndf line_locked, line_locked = 0   ; 1: a scanline is 910 cycles
+        .iif ndf scanlines, scanlines = 525     ; ... and a picture of the video output so many of them
         .iif ndf dense, dense = 1               ; communication, see communicate.s
         .iif ndf stride, stride = 1             ; ... a power of two; 1: no distribution
         .iif ndf textured, textured = 0         ; 1: polygons may have a texture

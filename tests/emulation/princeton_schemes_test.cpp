@@ -92,6 +92,25 @@ TEST(PrincetonVideo, ShowsFrameBuffersOnly) {
     }
 }
 
+// Three pictures of a cube take less time than one of the video's.
+TEST(PrincetonVideo, HasShownAPictureBeforeTheNextIsComplete) {
+    for (const std::string scheme : {"sort-first", "sort-middle", "sort-last-dense"}) {
+        const RunOutcome found =
+            run(small(scheme, {"array.line_locked=true", "array.lines=900",
+                               "scene={object: cube, rotate: {degrees: 25}}"}));
+        const auto& ends = found.report.frame_ends;
+        ASSERT_EQ(ends.size(), 3U) << scheme;
+        for (std::size_t frame = 1; frame < ends.size(); ++frame) {
+            EXPECT_GE(found.report.units(ends[frame] - ends[frame - 1]), 64 * 910) << scheme;
+        }
+        if (scheme != "sort-last-dense") {  // has no frame buffers to be shown
+            ASSERT_EQ(found.videos.size(), 3U) << scheme;
+            EXPECT_FALSE(found.videos[0] == found.videos[1]) << scheme;
+            EXPECT_FALSE(found.videos[1] == found.videos[2]) << scheme;
+        }
+    }
+}
+
 // What is said about a machine, be it its description, its program or what the program does.
 std::string complaint(const std::string& scheme, const std::vector<std::string>& changes) {
     try {
@@ -142,6 +161,9 @@ INSTANTIATE_TEST_SUITE_P(
                   AllOf(HasSubstr("memory.s:"), HasSubstr("screen_rows must be 1 to 512"))},
         BadScheme{"sort-first", "nodes.symbols.stride=8",
                   AllOf(HasSubstr("homes.s:"), HasSubstr("neither duplication nor strides"))},
+        BadScheme{"sort-middle", "array={line_locked: true, lines: 64, visible_lines: 64}",
+                  HasSubstr("array.lines: the program waits for a scanline below its screen '64'; "
+                            "expected at least 65")},
         BadScheme{"sort-middle", "array.visible_lines=65",
                   HasSubstr("array.visible_lines: the program's screen has fewer rows '65'; "
                             "expected at most 64")},

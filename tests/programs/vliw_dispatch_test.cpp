@@ -98,6 +98,13 @@ TEST(VliwDispatch, WaitsForTheEndOfTheVisibleRowsWithANewPicture) {
     EXPECT_EQ(renderer.scanlines(), 1 + 512);
 }
 
+TEST(VliwDispatch, WaitsForThePictureBeforeToBeShown) {
+    VliwRenderer renderer = idle_renderer();
+    renderer.run();
+    renderer.run();
+    EXPECT_EQ(renderer.scanlines(), 1 + 512 + 525);
+}
+
 constexpr std::array<std::string_view, 1> kDuplicate = {"duplicate.s"};
 
 // Whether each of 16 lanes sends a polygon whose leftmost column is `first`.
