@@ -37,6 +37,7 @@ struct RunCommandOptions {
     ConfigOptions config;
     std::string out;
     bool compare = false;
+    bool check_communication = false;
     bool bottlenecks = false;
     bool report = false;
     TraceOptions trace;
@@ -196,6 +197,7 @@ void run(const RunCommandOptions& options, Session& session) {
         run_options.messages_csv = folder->file("messages.csv");
     }
     run_options.reference_pictures = options.compare;
+    run_options.check_communication = options.check_communication;
     run_options.bottlenecks = options.bottlenecks;
     run_options.page = options.report;
     run_options.appendix_c = !options.appendix_c.empty();
@@ -253,6 +255,9 @@ void add_run_command(CLI::App& app, Session& session) {
     command->add_flag("--no-files", options->no_files, "Write no files");
     command->add_flag("--compare", options->compare,
                       "Compare each picture with the reference renderer's");
+    command->add_flag("--check-communication", options->check_communication,
+                      "Lanes: check after each communication that every polygon is on every lane "
+                      "that needs it, on no other, on none twice");
     add_trace_options(*command, options->trace);
     command->add_flag("--bottlenecks", options->bottlenecks,
                       "Print what limits the machine: the critical path of each frame down to the "

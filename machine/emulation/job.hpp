@@ -20,6 +20,9 @@ class HostJob {
     virtual ~HostJob() = default;
     // Before the first event.
     virtual void load(Machine& machine) = 0;
+    // That from now on each communication between the nodes is checked when it has ended: a fault
+    // makes the run fail. For jobs that can.
+    virtual void check_communication(Machine& /*machine*/) {}
     // What the host sends, frame by frame; none where the nodes have all they need from the start.
     virtual std::vector<std::vector<Polygon>> polygons() const { return {}; }
     // At the end of frame `frame`, from 0, before anything of the next one happens: what the host

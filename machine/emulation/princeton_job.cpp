@@ -4,6 +4,7 @@
 // upper left part of the machine's.
 #include "machine/emulation/array_settings.hpp"
 #include "machine/emulation/job.hpp"
+#include "machine/emulation/princeton_check.hpp"
 #include "machine/emulation/princeton_loader.hpp"
 #include "machine/emulation/princeton_picture.hpp"
 #include "machine/emulation/princeton_scene.hpp"
@@ -11,6 +12,7 @@
 #include "machine/host/triangle_texture.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -69,6 +71,14 @@ class PrincetonJob final : public HostJob {
             load_princeton(lockstep.array(), image_, scene_, view_at(0), lights_, columns_);
         });
         send(lockstep, 1);
+    }
+
+    void check_communication(Machine& machine) override {
+        const LockstepArray& array = machine.lockstep()->array();
+        by_symbols(description_, [&] { check_.emplace(image_, columns_); });
+        machine.lockstep()->inspect([&](const PhaseRecord& ending, int next) {
+            return check_->phase_ended(array, ending.phase, next);
+        });
     }
 
     // Line-locked, a matrix comes while the picture before is drawn; else when that is complete.
@@ -152,6 +162,7 @@ class PrincetonJob final : public HostJob {
     host::TriangleView view_;  // without a matrix
     int distance_;
     ColumnMap columns_;
+    std::optional<CommunicationCheck> check_;
 };
 
 }  // namespace

@@ -203,6 +203,9 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
     std::optional<PictureCollector> collector;
     if (job) {
         job->load(machine);
+        if (options.check_communication) {
+            job->check_communication(machine);
+        }
         collector.emplace(*job, machine, outcome.pictures, outcome.videos);
         machine.frame_probe()->attach(*collector);
         outcome.remarks = job->remarks();

@@ -33,6 +33,10 @@ struct RunOptions {
     // Where to stream messages.csv to; none: not written.
     std::optional<std::filesystem::path> messages_csv;
     bool reference_pictures = false;
+    // Where lanes send each other polygons: Eldridge's three checks after each communication
+    // (princeton_check.hpp). What they find wrong is RunOutcome::failure. Takes time of the host's;
+    // whoever measures that leaves them out.
+    bool check_communication = true;
     // Statistics as in Parks' appendix C; the run takes somewhat longer.
     bool appendix_c = false;
     std::vector<std::string> appendix_c_of;  // processors that somebody will want to see

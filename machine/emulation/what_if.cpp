@@ -139,8 +139,10 @@ WhatIfReport what_if(const MachineDescription& base, const std::vector<WhatIf>& 
                      std::size_t workers, const std::function<void(std::size_t)>& progress) {
     WhatIfReport report;
     RunOptions options;
+    options.check_communication = false;
     options.paths = true;
     RunOutcome unchanged = run_machine(base, options);
+    options.paths = false;
     report.failure = unchanged.failure;
     if (!report.failure.empty()) {
         return report;
@@ -152,7 +154,7 @@ WhatIfReport what_if(const MachineDescription& base, const std::vector<WhatIf>& 
     std::size_t done = 0;
     for_each_on(workers, questions.size(), [&](std::size_t i) {
         const WhatIf& question = questions[i];
-        const RunOutcome outcome = run_machine(on_one_thread(question.machine), {});
+        const RunOutcome outcome = run_machine(on_one_thread(question.machine), options);
         WhatIfResult& result = report.results[i];
         result.failure = outcome.failure;
         result.frame_time = outcome.failure.empty() ? mean_frame(outcome.report) : Duration();

@@ -109,10 +109,7 @@ bool LockstepMachine::goes_on() {
         case Reason::line:
             return end_line();
         case Reason::phase:
-            if (stop_.phase != phase().phase) {
-                end_phase(stop_.phase);
-            }
-            return true;
+            return stop_.phase == phase().phase || change_phase();
         case Reason::frame:
             return end_frame();
         case Reason::halt:
@@ -122,6 +119,16 @@ bool LockstepMachine::goes_on() {
             return fail(array_.program_counter(), stop_.trap);
     }
     return false;
+}
+
+bool LockstepMachine::change_phase() {
+    if (inspector_) {
+        if (const std::string wrong = inspector_(phase(), stop_.phase); !wrong.empty()) {
+            return fail(stopped_at(), fmt::format("frame {}: {}", phase().frame, wrong));
+        }
+    }
+    end_phase(stop_.phase);
+    return true;
 }
 
 bool LockstepMachine::end_line() {

@@ -21,6 +21,7 @@
 #include "machine/node/node_listener.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -57,6 +58,11 @@ class LockstepMachine final : public Component {
     // where there is none, the auxiliary input is 0.
     void send(std::vector<std::uint16_t> integers) { sent_ = std::move(integers); }
 
+    // Is asked when `ending` is over, before a bundle of the phase `next` is executed; what it
+    // says is wrong makes the run fail.
+    using Inspector = std::function<std::string(const PhaseRecord& ending, int next)>;
+    void inspect(Inspector inspector) { inspector_ = std::move(inspector); }
+
     // In progress: the first is 0, after `phase` n it is n. The frame counts from 0.
     const PhaseRecord& phase() const { return books_.phase(); }
     // Line-locked: how many complete pictures the video has shown. The run pauses when it has shown
@@ -89,6 +95,7 @@ class LockstepMachine final : public Component {
     void run();
     void enter(PartState state);
     bool goes_on();
+    bool change_phase();
     bool end_line();
     bool show_line();
     bool end_frame();
@@ -114,6 +121,7 @@ class LockstepMachine final : public Component {
     std::int64_t shown_ = 0;
     bool showing_ = false;              // a picture that has not been shown before
     std::vector<std::uint16_t> video_;  // [line x lanes + lane]
+    Inspector inspector_;
     Probe<NodeListener> lane_probe_;
     Probe<SupervisorListener> probe_;
     PartProbe part_probe_;

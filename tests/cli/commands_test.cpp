@@ -57,8 +57,9 @@ TEST_F(Commands, RunIsTheSameEveryTime) {
 }
 
 TEST_F(Commands, AnArrayRunsOnAnyVectorInstructionsOfTheHost) {
-    const std::vector<std::string> cube{"run", "princeton1024-sort-middle.yaml", "--quiet", "--set",
-                                        "scene={object: cube}"};
+    const std::vector<std::string> cube{"run",     "princeton1024-sort-middle.yaml",
+                                        "--quiet", "--check-communication",
+                                        "--set",   "scene={object: cube}"};
     const auto on = [&](std::vector<std::string> more) {
         std::vector<std::string> arguments = cube;
         arguments.insert(arguments.end(), more.begin(), more.end());

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A whole frame: mesh, loader, programs/vliw on the lock-step array, collector, against the
 // reference renderer.
+#include "machine/emulation/princeton_check.hpp"
 #include "machine/emulation/princeton_picture.hpp"
 #include "machine/host/primitives.hpp"
 #include "machine/host/projection.hpp"
 #include "machine/host/teapot.hpp"
 #include "machine/host/triangle_renderer.hpp"
 #include "tests/emulation/princeton_lanes.hpp"
+
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -37,12 +40,19 @@ Frame draw(const std::string& program, const std::string& options, const host::T
     PrincetonLanes lanes(lane_count, options + "        .include \"" + program + "\"\n");
     const host::TriangleView view = turned(scene, program_view(lanes.image()));
     lanes.load(scene, view, host::make_lights());
+    CommunicationCheck check(lanes.image(), lanes.columns());
     LockstepArray::Stop stop;
+    int phase = 0;
     for (std::int64_t cycles = 0;
          stop.reason != LockstepArray::Reason::frame &&
          stop.reason != LockstepArray::Reason::halt && cycles < kMostCycles;
-         cycles += stop.cycles)
+         cycles += stop.cycles) {
         stop = lanes.array().run(kMostCycles - cycles);
+        if (stop.reason == LockstepArray::Reason::phase) {
+            const int ended = std::exchange(phase, stop.phase);
+            EXPECT_EQ(check.phase_ended(lanes.array(), ended, phase), "");
+        }
+    }
     EXPECT_EQ(stop.reason, LockstepArray::Reason::frame) << stop.trap;
     Frame frame{shown_picture(lanes.array(), lanes.image(), lanes.columns()),
                 host::render_triangles(scene, view, host::make_lights())};
