@@ -159,8 +159,55 @@ HWY_INLINE void each_word(LaneBlock& block, std::uint32_t bank, const Addresses&
     }
 }
 
+// Whether one of so many words from base + offset on is of a record in flight.
+template <bool kMasked>
+HWY_INLINE bool flies(const LaneBlock& block, std::uint16_t base, std::uint32_t bank,
+                      std::uint16_t offset, int words) {
+    const Words d;
+    const Flying& flying = *block.flying;
+    const Transfer& transfer = *flying.transfer;
+    if (transfer.store_bank != bank) {
+        return false;
+    }
+    const Vector ahead =
+        hn::Set(d, static_cast<std::uint16_t>(offset - transfer.first_offset + words - 1));
+    const Vector near = hn::Set(d, static_cast<std::uint16_t>(transfer.words + words - 1));
+    Mask found = hn::Ne(near, near);  // nowhere
+    for (std::size_t lane = 0; lane < block.width; lane += hn::Lanes(d)) {
+        const Vector address = hn::Add(hn::Load(d, block.rows + base + lane), ahead);
+        const Vector distance = hn::Sub(address, hn::Load(d, flying.at.data() + lane));
+        const Mask looks = load_bits(kMasked ? block.awake : block.exists, lane);
+        found = hn::Or(found, hn::And(looks, hn::Lt(distance, near)));
+    }
+    return !hn::AllFalse(d, found);
+}
+
+// Before words of memory are looked at or changed, so many from base + offset on, on lanes that are
+// awake: what flies and is among them has to be there.
+template <bool kMasked>
+HWY_INLINE void land_words(LaneBlock& block, std::uint16_t base, std::uint32_t bank,
+                           std::uint16_t offset, int words) {
+    if (block.flying->transfer != nullptr && flies<kMasked>(block, base, bank, offset, words)) {
+        land(block);
+    }
+}
+// What the operation reaches; all eight words of lanes that sleep, too, where it goes by lines.
+template <bool kMasked>
+HWY_INLINE void land_for(LaneBlock& block, const MicroOperation& op) {
+    if (op.detail != 0) {
+        land_words<false>(block, op.a, op.where, line_offset(op.immediate), kLineWords);
+    } else {
+        land_words<kMasked>(block, op.a, op.where, op.immediate, 1);
+    }
+}
+template <bool kMasked>
+HWY_INLINE void land_for_fixed(LaneBlock& block, const MicroOperation& op) {
+    land_words<kMasked>(block, op.a, op.where - op.immediate, op.immediate, 1);
+}
+
 template <bool kMasked>
 void load_fixed(LaneBlock& block, const MicroOperation& op) {
+    land_for_fixed<kMasked>(block, op);
     close_line_over(block, op.where / isa::vliw::kBankWords * isa::vliw::kBankWords,
                     op.where % isa::vliw::kBankWords, op.where % isa::vliw::kBankWords);
     load_at<kMasked>(block, block.rows + op.dst, op.where);
@@ -175,6 +222,7 @@ HWY_INLINE void leave_lines(LaneBlock& block, std::uint32_t bank, std::uint32_t 
 
 template <bool kMasked>
 void store_fixed(LaneBlock& block, const MicroOperation& op) {
+    land_for_fixed<kMasked>(block, op);
     leave_lines(block, op.where / isa::vliw::kBankWords * isa::vliw::kBankWords,
                 op.where % isa::vliw::kBankWords, op.where % isa::vliw::kBankWords);
     store_at<kMasked>(block, block.rows + op.b, op.where);
@@ -214,6 +262,7 @@ void load(LaneBlock& block, const MicroOperation& op) {
         }
         lines.forget(place - 1);
     }
+    land_for<kMasked>(block, op);
     const std::uint16_t* const base = block.rows + op.a;
     const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
     const auto address = static_cast<std::uint16_t>(value + op.immediate);
@@ -272,6 +321,7 @@ void store(LaneBlock& block, const MicroOperation& op) {
         store_into_open_line<kMasked>(block, op);
         return;
     }
+    land_for<kMasked>(block, op);
     const std::uint16_t* const base = block.rows + op.a;
     const std::uint16_t value = base[kMasked ? first_awake(block) : 0];
     const auto address = static_cast<std::uint16_t>(value + op.immediate);

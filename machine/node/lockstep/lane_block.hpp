@@ -3,6 +3,7 @@
 // sleep, and given to the host's threads.
 #pragma once
 
+#include "machine/node/lockstep/flight.hpp"
 #include "machine/node/lockstep/lane_lines.hpp"
 #include "machine/node/lockstep/lane_memory.hpp"
 #include "machine/node/lockstep/micro_operation.hpp"
@@ -17,6 +18,7 @@ namespace rasterloom::lockstep {
 // What all blocks of an array share.
 struct ArrayParts {
     LaneMemory* memory = nullptr;
+    Flight* flight = nullptr;
     std::vector<std::uint16_t>* ring = nullptr;  // communication registers, turned by the shifts
     std::uint16_t aux = 0;
 };
@@ -30,6 +32,7 @@ struct LaneBlock {
     std::uint16_t* rows = nullptr;  // kRows of `width`; rows of registers that do not exist: none
     const ArrayParts* parts = nullptr;
     LaneLines* lines = nullptr;
+    Flying* flying = nullptr;
     std::size_t index = 0;
     std::size_t width = 0;       // a multiple of 64
     std::size_t lanes = 0;       // that exist, at most `width`

@@ -26,16 +26,19 @@ LaneState::LaneState(std::int64_t lanes)
       rows_(blocks_for(lanes) * kRows * width_),
       line_rows_(blocks_for(lanes) * kLineRows * width_),
       lines_(blocks_for(lanes)),
+      flying_(blocks_for(lanes)),
       memory(lanes, width_for(lanes)),
       ring(static_cast<std::size_t>(lanes)),
       blocks(blocks_for(lanes)) {
     parts.memory = &memory;
+    parts.flight = &flight;
     parts.ring = &ring;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         LaneBlock& block = blocks[i];
         block.rows = rows_.words() + i * kRows * width_;
         block.parts = &parts;
         block.lines = &lines_[i];
+        block.flying = &flying_[i];
         std::uint16_t* line_rows = line_rows_.words() + i * kLineRows * width_;
         for (Line& line : block.lines->lines) {
             line.rows = line_rows;

@@ -35,21 +35,16 @@ class LaneState {
         return (bits[place / kBitsPerWord] >> (place % kBitsPerWord) & 1U) != 0;
     }
 
-    // For transfers; two places.
-    void reserve_laid_out(std::size_t words) { laid_out_.resize(2 * words); }
-    std::span<std::uint16_t> laid_out(std::size_t place) {
-        return std::span(laid_out_).subspan(place * (laid_out_.size() / 2), laid_out_.size() / 2);
-    }
-
   private:
     std::size_t width_;
-    std::vector<std::uint16_t> laid_out_;
     HostPages rows_;
     HostPages line_rows_;
     std::vector<LaneLines> lines_;
+    std::vector<Flying> flying_;
 
   public:
     LaneMemory memory;
+    Flight flight;
     std::vector<std::uint16_t> ring;
     ArrayParts parts;
     std::vector<LaneBlock> blocks;

@@ -50,9 +50,7 @@ class LockstepArray::Engine {
           members(std::min(settings.threads, static_cast<int>(lanes.blocks.size()))),
           meeting(members),
           crew(members, [this](int member) { run_member(member); }) {
-        if (!transfers.empty()) {
-            lanes.reserve_laid_out(lanes.ring.size() * lockstep::kMaxTransferWords);
-        }
+        lanes.flight.reserve(lanes.ring.size(), transfers);
         const auto count = static_cast<std::size_t>(members);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t first = lanes.blocks.size() * i / count;
@@ -74,6 +72,13 @@ class LockstepArray::Engine {
         for (auto& sequencer : sequencers) {
             how(sequencer.state());
         }
+    }
+    // With nothing of it anywhere else.
+    lockstep::LaneMemory& memory() {
+        for (lockstep::LaneBlock& block : lanes.blocks) {
+            lockstep::land(block);
+        }
+        return lanes.memory;
     }
     const lockstep::SequencerState& state() const { return sequencers.front().state(); }
     std::size_t ring_place(std::int64_t lane) const {
@@ -138,17 +143,17 @@ std::uint16_t LockstepArray::read(std::int64_t lane, std::uint32_t address) cons
 }
 void LockstepArray::read(std::int64_t lane, std::uint32_t address,
                          std::span<std::uint16_t> words) const {
-    engine_->lanes.memory.read(lane, address, words);
+    engine_->memory().read(lane, address, words);
 }
 void LockstepArray::write(std::int64_t lane, std::uint32_t address,
                           std::span<const std::uint16_t> words) {
-    engine_->lanes.memory.write(lane, address, words);
+    engine_->memory().write(lane, address, words);
 }
 void LockstepArray::write_all(std::uint32_t address, std::span<const std::uint16_t> words) {
-    engine_->lanes.memory.write_all(address, words);
+    engine_->memory().write_all(address, words);
 }
 void LockstepArray::set_layout(std::uint32_t first, std::uint32_t words, LaneLayout layout) {
-    engine_->lanes.memory.set_layout(first, words, layout);
+    engine_->memory().set_layout(first, words, layout);
 }
 
 std::uint16_t LockstepArray::reg(std::int64_t lane, int index) const {

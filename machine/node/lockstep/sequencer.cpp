@@ -224,15 +224,14 @@ std::optional<Sequencer::Stop> Sequencer::step(const Bundle& bundle) {
 }
 
 // What moves right is found further left than before.
-std::size_t Sequencer::offset_after(std::int64_t places_right) const {
+std::size_t Sequencer::moved_right(std::size_t offset, std::int64_t places) const {
     const auto ring = static_cast<std::int64_t>(lanes_->ring.size());
-    const std::int64_t offset =
-        (static_cast<std::int64_t>(state_.ring_offset) - places_right) % ring;
-    return static_cast<std::size_t>(offset < 0 ? offset + ring : offset);
+    const std::int64_t moved = (static_cast<std::int64_t>(offset) - places) % ring;
+    return static_cast<std::size_t>(moved < 0 ? moved + ring : moved);
 }
 
 void Sequencer::shift(std::int64_t places_right) {
-    state_.ring_offset = offset_after(places_right);
+    state_.ring_offset = moved_right(state_.ring_offset, places_right);
 }
 
 const Transfer* Sequencer::transfer_at(std::uint32_t bundle, std::int64_t end) const {
@@ -252,12 +251,12 @@ bool Sequencer::hand_on(const Transfer& transfer) {
     bool can = std::abs(transfer.distance) < lanes_->lanes();
     for (LaneBlock& block : blocks_) {
         kernels().full[kCloseLine](block, {});
-        can = can && can_transfer(block, transfer);
+        can = can && can_board(block, transfer);
     }
-    // Two places: one member may lay out the next words while another still takes these.
-    const std::span<std::uint16_t> laid_out = lanes_->laid_out(transfers_done_++ % 2);
-    if (can) {
-        lay_out(blocks_, transfer, laid_out);
+    for (LaneBlock& block : blocks_) {
+        if (can) {
+            board(block, transfer, flight_);
+        }
     }
     const std::uint32_t answer = meeting_->exchange(member_, can ? 0 : kNoTransfer);
     ring_use_ = RingUse::none;
@@ -265,8 +264,11 @@ bool Sequencer::hand_on(const Transfer& transfer) {
         return false;
     }
     ring_use_ = RingUse::written;
-    ring_use_offset_ = offset_after(transfer.shift_before_put);
-    take_over(blocks_, transfer, laid_out, ring_use_offset_);
+    ring_use_offset_ = moved_right(state_.ring_offset, transfer.shift_before_put);
+    flight_ = {moved_right(flight_.offset, transfer.distance), !flight_.second};
+    for (LaneBlock& block : blocks_) {
+        arrive(block, transfer, flight_, ring_use_offset_);
+    }
     add(translation_->first_work(transfer), translation_->end_work(transfer));
     count(transfer.first_bundle, transfer.end_bundle);
     shift(transfer.shift);

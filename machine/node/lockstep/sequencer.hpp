@@ -72,7 +72,7 @@ class Sequencer {
     // Whether it could be done at once.
     bool hand_on(const Transfer& transfer);
     const Transfer* transfer_at(std::uint32_t bundle, std::int64_t end) const;
-    std::size_t offset_after(std::int64_t places_right) const;
+    std::size_t moved_right(std::size_t offset, std::int64_t places) const;
     void shift(std::int64_t places_right);
     void broadcast();
 
@@ -87,7 +87,7 @@ class Sequencer {
     std::vector<Piece> pieces_;
     RingUse ring_use_ = RingUse::none;  // by pieces on the list, or since the latest meeting
     std::size_t ring_use_offset_ = 0;
-    std::size_t transfers_done_ = 0;     // or tried
+    FlightStand flight_;
     std::vector<std::int64_t> entries_;  // into bundles by address, less exits before them
 };
 

@@ -24,15 +24,20 @@ class Follower {
 
     // False, and without effect, if the piece cannot go on with the bundle.
     bool follow(const Bundle& bundle) {
-        const Bundle::Memory& mem = bundle.mem;
+        const bool aside = goes_aside(bundle.mem);
+        const Bundle::Memory mem = aside ? Bundle::Memory{} : bundle.mem;
         const Bundle::Communication& comm = bundle.comm;
         if (bundle.seq.op != isa::vliw::SeqOp::none || bundle.sleep != isa::vliw::SleepOp::none ||
-            transfer_.sources.size() + 2 > kMaxTransferWords || !takes(mem) || !takes(comm) ||
-            !puts_off_work(bundle)) {
+            !takes(mem) || !takes(comm) || !puts_off_work(bundle, aside)) {
             return false;
         }
+        if (aside) {
+            banks_aside_.insert(bank_of(bundle.mem));
+        }
         if (is_store(mem.op)) {
-            follow_store(mem);
+            transfer_.store_base = mem.base;
+            transfer_.store_bank = bank_of(mem);
+            stored_.emplace(mem.offset, values_.at(mem.reg).source);
         }
         if (comm.op == CommOp::put) {
             put(comm.reg);
@@ -47,19 +52,41 @@ class Follower {
         return true;
     }
 
-    std::optional<Transfer> transfer(std::uint32_t end_bundle) {
-        if (transfer_.stores.size() < kFewestWords || transfer_.distance == 0) {
+    // What has been followed up to here, if it hands whole records on.
+    std::optional<Transfer> transfer(std::uint32_t end_bundle) const {
+        if (stored_.size() < kFewestWords || !distance_ || *distance_ == 0 || !are_record()) {
             return std::nullopt;
         }
-        transfer_.end_bundle = end_bundle;
-        transfer_.first_offset = *std::min_element(offsets_.begin(), offsets_.end());
-        transfer_.last_offset = *std::max_element(offsets_.begin(), offsets_.end());
+        Transfer found = transfer_;
+        found.end_bundle = end_bundle;
+        found.first_offset = stored_.begin()->first;
+        found.words = static_cast<int>(stored_.size());
+        found.distance = *distance_;
+        // Of all words, those that somebody looks at.
+        found.sources.clear();
+        const auto look_at = [&](int source) {
+            const Transfer::Source& looked_at = transfer_.sources[static_cast<std::size_t>(source)];
+            auto known = std::find(found.sources.begin(), found.sources.end(), looked_at);
+            if (known == found.sources.end()) {
+                known = found.sources.insert(known, looked_at);
+            }
+            return static_cast<int>(known - found.sources.begin());
+        };
         for (const auto& [reg, value] : values_) {
-            auto& results = value.own ? transfer_.own_results : transfer_.taken_results;
-            results.push_back({reg, value.source});
+            auto& results = value.own ? found.own_results : found.taken_results;
+            results.push_back({reg, look_at(value.source)});
         }
-        find_moves();
-        return transfer_;
+        for (const auto& [offset, source] : stored_) {
+            if (transfer_.sources[static_cast<std::size_t>(source)].in_register) {
+                found.handed.push_back({look_at(source), offset});
+            }
+        }
+        found.last_put = look_at(*in_ring_);
+        if (!std::all_of(found.sources.begin(), found.sources.end(),
+                         [this](const auto& source) { return is_known(source); })) {
+            return std::nullopt;
+        }
+        return found;
     }
 
   private:
@@ -75,6 +102,12 @@ class Follower {
         return reg == transfer_.load_base || reg == transfer_.store_base;
     }
 
+    // A store of something else into a bank that has no records can wait, as work can.
+    bool goes_aside(const Bundle::Memory& mem) const {
+        return is_store(mem.op) && !values_.contains(mem.reg) && transfer_.load_base != 0 &&
+               bank_of(mem) != transfer_.load_bank &&
+               (transfer_.store_base == 0 || bank_of(mem) != transfer_.store_bank);
+    }
     bool takes(const Bundle::Memory& mem) const {
         const bool load = is_load(mem.op);
         if (mem.op == MemOp::none) {
@@ -83,7 +116,8 @@ class Follower {
         const int known = load ? transfer_.load_base : transfer_.store_base;
         const std::uint32_t bank = load ? transfer_.load_bank : transfer_.store_bank;
         if (mem.base == 0 || values_.contains(mem.base) || mem.offset >= 0x4000 ||
-            (known != 0 && (known != mem.base || bank != bank_of(mem)))) {
+            (known != 0 && (known != mem.base || bank != bank_of(mem))) ||
+            banks_aside_.contains(bank_of(mem))) {
             return false;
         }
         if (load) {  // what has been stored by an equal pointer is not loaded any more
@@ -91,7 +125,11 @@ class Follower {
                    !stored_.contains(mem.offset);
         }
         const auto value = values_.find(mem.reg);
-        return !stored_.contains(mem.offset) && (value == values_.end() || !value->second.own);
+        if (stored_.contains(mem.offset) || value == values_.end() || value->second.own) {
+            return false;
+        }
+        const Transfer::Source& source = source_of(value->second);
+        return source.in_register || source.number == mem.offset;
     }
     bool takes(const Bundle::Communication& comm) const {
         switch (comm.op) {
@@ -111,21 +149,22 @@ class Follower {
         }
     }
 
-    // The work of ALU and multiplier comes after all moves of words. False if it would then find
-    // something else in a register, or a move would.
-    bool puts_off_work(const Bundle& bundle) {
+    // The work of ALU and multiplier, and stores aside, come after all moves of words. False if it
+    // would then find something else in a register, or a move would.
+    bool puts_off_work(const Bundle& bundle, bool stores_aside) {
         Bundle moves = bundle;
         moves.alu = {};
         moves.mul = {};
         Bundle work = bundle;
-        work.mem = {};
         work.comm = {};
+        (stores_aside ? moves : work).mem = {};
         const std::uint32_t read = work_reads_ | registers_read(work);
         if ((registers_read(moves) & work_writes_) != 0 ||
             (registers_written(moves) & (read | work_writes_)) != 0) {
             return false;
         }
-        if (work.alu.op != isa::vliw::AluOp::none || work.mul.op != isa::vliw::MulOp::none) {
+        if (work.alu.op != isa::vliw::AluOp::none || work.mul.op != isa::vliw::MulOp::none ||
+            stores_aside) {
             work_reads_ = read;
             work_writes_ |= registers_written(work);
             transfer_.work.push_back(without_unused_fields(work));
@@ -133,6 +172,9 @@ class Follower {
         return true;
     }
 
+    const Transfer::Source& source_of(const Value& value) const {
+        return transfer_.sources[static_cast<std::size_t>(value.source)];
+    }
     int add_source(const Transfer::Source& source) {
         transfer_.sources.push_back(source);
         return static_cast<int>(transfer_.sources.size()) - 1;
@@ -140,19 +182,7 @@ class Follower {
     void follow_load(const Bundle::Memory& mem) {
         transfer_.load_base = mem.base;
         transfer_.load_bank = bank_of(mem);
-        offsets_.insert(mem.offset);
         values_[mem.reg] = {add_source({false, mem.offset}), true};
-    }
-    void follow_store(const Bundle::Memory& mem) {
-        transfer_.store_base = mem.base;
-        transfer_.store_bank = bank_of(mem);
-        offsets_.insert(mem.offset);
-        stored_.insert(mem.offset);
-        if (const auto value = values_.find(mem.reg); value != values_.end()) {
-            transfer_.stores.push_back({value->second.source, mem.offset});
-        } else {
-            transfer_.register_stores.push_back({mem.reg, mem.offset});
-        }
     }
     void put(int reg) {
         const auto value = values_.find(reg);
@@ -161,12 +191,11 @@ class Follower {
         } else {
             in_ring_ = value->second.source;
         }
-        transfer_.last_put = *in_ring_;
         transfer_.shift_before_put = transfer_.shift;
         shift_since_put_ = 0;
     }
     void get(int reg) {
-        distance_ = transfer_.distance = shift_since_put_;
+        distance_ = shift_since_put_;
         values_[reg] = {*in_ring_, false};
     }
     void shift(const Bundle::Communication& comm) {
@@ -177,41 +206,26 @@ class Follower {
         shift_since_put_ += places;
     }
 
-    // Moves go on over a word that a register fills afterwards.
-    void find_moves() {
-        for (const Transfer::Store& store : transfer_.stores) {
-            const Transfer::Source& source =
-                transfer_.sources[static_cast<std::size_t>(store.source)];
-            if (source.in_register) {
-                transfer_.handed.push_back({source.number, store.offset});
-                continue;
-            }
-            Transfer::Move* const last =
-                transfer_.moves.empty() ? nullptr : &transfer_.moves.back();
-            const int gap = last == nullptr ? -1 : store.offset - last->to - last->count;
-            const bool joins = gap >= 0 && source.number - last->from == store.offset - last->to &&
-                               are_handed(store.offset - gap, store.offset);
-            if (joins) {
-                last->count += gap + 1;
-            } else {
-                transfer_.moves.push_back({source.number, store.offset, 1});
-            }
-        }
+    // Whether the words that are stored are without a gap.
+    bool are_record() const {
+        const auto words = static_cast<int>(stored_.size());
+        return words <= kMostRecordWords &&
+               stored_.rbegin()->first - stored_.begin()->first == words - 1;
     }
-    bool are_handed(int first, int end) const {
-        const auto between = [first, end](const Transfer::Store& store) {
-            return store.offset >= first && store.offset < end;
-        };
-        return std::count_if(transfer_.handed.begin(), transfer_.handed.end(), between) ==
-               end - first;
+    // A word of memory that is not handed on is not known where the record is not in memory.
+    bool is_known(const Transfer::Source& source) const {
+        const auto stored = stored_.find(source.number);
+        return source.in_register ||
+               (stored != stored_.end() &&
+                transfer_.sources[static_cast<std::size_t>(stored->second)] == source);
     }
 
     Transfer transfer_;
     std::uint32_t work_reads_ = 0;  // bit r: register r
     std::uint32_t work_writes_ = 0;
     std::map<int, Value> values_;  // of registers that the piece has changed
-    std::set<int> offsets_;
-    std::set<int> stored_;
+    std::map<int, int> stored_;    // by offset: index of the source
+    std::set<std::uint32_t> banks_aside_;
     std::optional<int> in_ring_;
     std::optional<std::int64_t> distance_;
     std::int64_t shift_since_put_ = 0;
@@ -228,13 +242,15 @@ std::vector<Transfer> find_transfers(const isa::vliw::Program& program) {
             continue;
         }
         Follower follower(first);
-        std::uint32_t end = first;
-        while (end < bundles && follower.follow(program.bundles[end])) {
-            ++end;
+        std::optional<Transfer> longest;
+        for (std::uint32_t end = first; end < bundles && follower.follow(program.bundles[end]);) {
+            if (auto transfer = follower.transfer(++end)) {
+                longest = std::move(transfer);
+            }
         }
-        if (auto transfer = follower.transfer(end)) {
-            transfers.push_back(std::move(*transfer));
-            first = end - 1;
+        if (longest) {
+            first = longest->end_bundle - 1;
+            transfers.push_back(std::move(*longest));
         }
     }
     return transfers;
