@@ -107,39 +107,68 @@ TEST(VliwDispatch, WaitsForThePictureBeforeToBeShown) {
 
 constexpr std::array<std::string_view, 1> kDuplicate = {"duplicate.s"};
 
-// Whether each of 16 lanes sends a polygon whose leftmost column is `first`.
-std::vector<bool> senders(int first, int copies) {
+// Whether each of these lanes of a ring of `lanes` sends a polygon whose leftmost column is
+// `first`.
+std::vector<bool> senders(const std::vector<int>& numbers, int lanes, int first, int copies) {
     constexpr std::string_view kStub =
         "test_sends:\n wake\n ld r1, 0x1000\n tge r0, r0\n sends r1, r2, r3, r4\n"
         " tget r5\n st r5, 0x1001\n halt\n";
-    constexpr int kLanes = 16;
-    VliwRenderer renderer(kDuplicate, kStub, "test_sends", {{"duplication", copies}}, kLanes);
+    VliwRenderer renderer(kDuplicate, kStub, "test_sends", {{"duplication", copies}},
+                          static_cast<std::int64_t>(numbers.size()));
     const std::array word = {static_cast<std::uint16_t>(first)};
-    std::vector<bool> result;
-    for (int lane = 0; lane < kLanes; ++lane) {
-        renderer.write(lane, 0x1000, word);
+    std::int64_t lane = 0;
+    for (const int number : numbers) {
+        renderer.write(lane, "lane", number);
+        renderer.write(lane, "lanes", lanes);
+        renderer.write(lane++, 0x1000, word);
     }
     renderer.run();
-    for (int lane = 0; lane < kLanes; ++lane) {
+    std::vector<bool> result;
+    for (lane = 0; lane < renderer.lanes(); ++lane) {
         result.push_back(renderer.read(lane, 0x1001) != 0);
     }
     return result;
 }
 
+std::vector<int> every(int step, int lanes) {
+    std::vector<int> numbers;
+    for (int number = 0; number < lanes; number += step) {
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
+void expect_last_copies_before(int first, int copies, int lanes, std::vector<int> numbers) {
+    for (const int back : {1, lanes / copies, lanes / copies + 1}) {
+        numbers.push_back((std::max(first, 0) - back + lanes) % lanes);
+    }
+    std::vector<bool> expected;
+    for (const int number : numbers) {
+        expected.push_back((std::max(first, 0) - number - 1 + lanes) % lanes < lanes / copies);
+    }
+    EXPECT_EQ(senders(numbers, lanes, first, copies), expected)
+        << copies << " copies on " << lanes << " lanes, column " << first;
+}
+
 TEST(VliwDuplication, LetsTheLastCopyBeforeTheFirstDestinationSend) {
     for (const int copies : {2, 4, 8}) {
         for (int first = -3; first < 16; ++first) {
-            std::vector<bool> expected(16);
-            for (int back = 1; back <= 16 / copies; ++back) {
-                expected[static_cast<std::size_t>((std::max(first, 0) - back + 16) % 16)] = true;
-            }
-            EXPECT_EQ(senders(first, copies), expected) << copies << " copies, column " << first;
+            expect_last_copies_before(first, copies, 16, every(1, 16));
         }
+    }
+    for (const int copies : {2, 3, 6, 12, 24, 48}) {
+        expect_last_copies_before(20, copies, 48, every(1, 48));
     }
 }
 
+TEST(VliwDuplication, LetsOneCopySendOnRingsLongerThanASignedWord) {
+    expect_last_copies_before(700, 2, 40000, every(997, 40000));
+    expect_last_copies_before(3, 3, 65535, every(997, 65535));
+    expect_last_copies_before(767, 4, 65536, every(997, 65536));
+}
+
 TEST(VliwDuplication, LetsEveryLaneSendWithoutCopies) {
-    EXPECT_EQ(senders(5, 1), std::vector<bool>(16, true));
+    EXPECT_EQ(senders(every(1, 16), 16, 5, 1), std::vector<bool>(16, true));
 }
 
 }  // namespace
