@@ -31,7 +31,6 @@ class Loader {
         : array_(array),
           image_(image),
           copies_(image.symbol("duplication").value_or(1)),
-          has_two_rounds_(image.symbol("stride").value_or(1) > 1),
           has_homes_(image.symbol("sort_first").value_or(0) != 0),
           room_(static_cast<std::int64_t>(at("scratch_end"))),
           polygon_(static_cast<std::int64_t>(at("kDatabase"))),
@@ -53,8 +52,8 @@ class Loader {
         array_.set_layout(at("reciprocals"), kRoomEnd, LaneLayout::shared);
         if (image_.symbol("kRegion"))
             lay_out_region();
-        if (has_homes_)
-            lay_out_homes();
+        else if (image_.symbol("wanted"))
+            lay_out_lists();
     }
 
     void load_tables() {
@@ -67,7 +66,7 @@ class Loader {
             set(lane, "lane", lane);
             set(lane, "column", columns[static_cast<std::size_t>(lane)].value_or(kNoColumn));
         }
-        set("lanes", array_.lanes());
+        set("lanes", array_.lanes() % kMostLanes);
     }
 
     void load_polygons(std::span<const host::SceneTriangle> polygons) {
@@ -151,7 +150,7 @@ class Loader {
             array_.set_layout(slow_word(word + 1, 0), isa::vliw::kBankWords, LaneLayout::across);
     }
 
-    void lay_out_homes() {
+    void lay_out_lists() {
         const std::uint32_t lists = at("wanted");
         array_.set_layout(slow_word(0, 0) + lists, isa::vliw::kBankWords - lists,
                           LaneLayout::along);
@@ -181,15 +180,13 @@ class Loader {
                                 : fmt::format("not even {} lanes would do", kMostLanes)));
     }
 
-    // Behind the database: descriptors to be sent and received. By strides both arrays are sent
-    // from and received into. Otherwise what is received follows what is sent, which must only
-    // leave room for one.
+    // Behind the database: descriptors to be sent, and behind them what is received, which must
+    // have room for one at least.
     void divide_rest(std::int64_t begin) {
         const std::int64_t descriptors = (kRoomEnd - begin) / descriptor_;
-        const std::int64_t sent = has_two_rounds_ ? descriptors / 2 : descriptors - 1;
+        const std::int64_t sent = descriptors - 1;
         set("source_at", begin);
         set("source_end", begin + sent * descriptor_);
-        set("receive_at", begin + sent * descriptor_);
         set("receive_end", begin + descriptors * descriptor_);
     }
 
@@ -209,7 +206,6 @@ class Loader {
     LockstepArray& array_;
     const isa::Image& image_;
     std::int64_t copies_;
-    bool has_two_rounds_;
     bool has_homes_;
     std::int64_t room_;        // its first word
     std::int64_t polygon_;     // words

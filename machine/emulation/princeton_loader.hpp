@@ -16,9 +16,8 @@ namespace rasterloom {
 
 // Before the first frame; the array holds nothing but zeros. Polygon b goes to lane b mod n; where
 // the program's `duplication` is m, to all lanes that are b modulo n/m. What the database leaves of
-// a lane's memory is room for descriptors: half of it to be sent and half received where the
-// program's `stride` is above 1, all of it for both otherwise. Sort-first has room for twice as
-// many polygons, then for as many copies as descriptors.
+// a lane's memory is room for descriptors, sent and received. Sort-first has room for twice as many
+// polygons, then for as many copies as descriptors.
 //
 // Throws std::invalid_argument, naming the cause and what was expected: a symbol that the image
 // lacks, more polygons than fit (with the lanes that would do), lanes that are no multiple of the

@@ -3,7 +3,7 @@
 ; copy, once. Copies go to the right by passes of 1 place and no further than they must; a box around its home, which has columns on both sides, goes
 ; round the ring. What a lane draws is listed by address from `wanted` to wanted_end; copies lie in the receive array, kHome words each.
 ;
-; Needs: columns numbered as lanes; at most 32767 lanes; a receive array with room for one copy more than it keeps: otherwise error 2 and halt.
+; Needs: columns numbered as lanes; at most 32767 lanes, as passes to go are signed words; a receive array with room for one copy more than it keeps: otherwise error 2 and halt.
 ; Memory, counter: see pass.s.
 
 distribute:
@@ -42,4 +42,4 @@ prepare_copies_loop:
         send_home r16, r18
         end_walk prepare_copies, pass_copies, list, wanted_end
 
-        pass_procedure pass_copies, 1, near, near_passes, geometry, list_it, <st list, wanted_end>, h, kHome
+        pass_procedure pass_copies, 1, near, near_passes, geometry, list_it, <st list, wanted_end>, h, kHome, take_h

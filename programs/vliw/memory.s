@@ -23,13 +23,13 @@ polygons    = 0x02      ; polygons in this lane's database; sort-first keeps it 
 polygons_at = 0x03      ; where its database begins: kDatabase words each
 source_at   = 0x04      ; where its array of descriptors to be sent begins; geometry works in it, too, before it makes them
 source_end  = 0x05      ; first word behind that
-receive_at  = 0x06      ; where what is received lies, with strides and sort-first; otherwise it is behind what is sent
-receive_end = 0x07      ; first word behind that: room for one more than the lane keeps, as the source array has, too, with strides;
-                        ; sort-first receives polygons, kHome words each, and the source array has the descriptors of what the lane draws
+receive_at  = 0x06      ; sort-first: where what is received lies; otherwise it is behind what is sent
+receive_end = 0x07      ; first word behind that: room for one more than the lane keeps; sort-first receives polygons, kHome words each, and
+                        ; the source array has the descriptors of what the lane draws
 most        = 0x08      ; the greatest number of polygons on any lane (the same on all; sort-first finds it)
 error       = 0x09      ; 0, or why the program halted: error_name_* below
-lanes       = 0x0a      ; lanes on the ring (the same on all)
-most_lanes  = 32767     ; ... at most
+lanes       = 0x0a      ; lanes on the ring, modulo 65536 (the same on all)
+most_lanes  = 32767     ; ... at most: what counts them is a signed word, unless a program says otherwise
 homes_end   = 0x0b      ; sort-first: first word behind the room for the database, one polygon more than the lane may ever hold
 ;
 ; What the machine's records call phases (`phase n`) and what `error` says
@@ -71,7 +71,7 @@ source_count  = 0x30    ; descriptors to be sent (geometry sets it: no need to c
 receive_count = 0x31    ; descriptors received
 drawing     = 0x32      ; word address of the frame buffer being drawn
 shown       = 0x33      ; of the one being shown; after `frame`: of the picture just finished
-received_at = 0x34      ; where the received descriptors lie: behind those to be sent, or source_at after distribution by strides
+received_at = 0x34      ; where the received descriptors lie: behind those to be sent, with strides at the end of the room
 received_end = 0x35     ; first word behind them
 far_passes  = 0x36      ; passes of `stride` places in this frame, if stride is more than 1: lower word, upper word (the same on all lanes)
 near_passes = 0x38      ; passes of 1 place

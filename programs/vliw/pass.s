@@ -15,7 +15,7 @@ link_slot   = other_scratch         ; the record to be passed on
 link_into   = other_scratch+1       ; where the next one arrives
 link_own    = other_scratch+2       ; next of the lane's own to be put in
 link_end    = other_scratch+3       ; first word behind the lane's own
-link_room   = other_scratch+4       ; greatest value of link_into
+link_room   = other_scratch+4       ; greatest value of link_into, least where that goes down
 link_next   = other_scratch+5       ; next of the lane's own to be prepared
 
 kPassOverhead = 30                  ; cycles of a pass beside its words, at most
@@ -36,12 +36,18 @@ first   = r12           ; d_left
 last    = r13           ; d_right
 ring    = r14           ; lanes
 
-; ---- A round begins. Sent is what lies from `own` to `own_end`, what is prepared for it begins at `prepare`, the receiving array is at (into_at) to (into_end).
-        .macro  begin_round into_at, into_end, next, record=d, words=kDescriptor, prepare=own
+; ---- A round begins. Sent is what lies from `sent` to its end, what is prepared for it from `prepare` to own_end, the receiving array is at
+; (into_at) to (into_end). start_round: it begins at `into`, and `room` is the limit of link_into.
+        .macro  begin_round into_at, into_end, next, record=d, words=kDescriptor, prepare=own, sent=own
         ld      into, into_at
         ld      room, into_end
         sub     room, room, #words
-        st      own, link_own
+        start_round next, record, prepare, sent
+        .endm
+
+        .macro  start_round next, record=d, prepare=own, sent=own
+        mov     r17, sent
+        st      r17, link_own
         st      prepare, link_next
         st      own_end, link_end
         st      into, link_into
@@ -53,11 +59,16 @@ ring    = r14           ; lanes
         line
         .endm
 
-; r16 is the number of passes; none if no sample lies within the box.
-        .macro  finish_preparation name, next, save
+; reg: 1 if a sample lies within the box, else 0.
+        .macro  may_be_seen reg
         tge     last, first
         tge.and r18, r17
-        tget    r19
+        tget    reg
+        .endm
+
+; r16 is the number of passes; none if no sample lies within the box.
+        .macro  finish_preparation name, next, save
+        may_be_seen r19
         mul     r16, r16, r19
         st      r16, d_passes(own)
         add     own, own, #kDescriptor
@@ -164,8 +175,9 @@ kPasses = kPassCycles/<2+places*words+kPassOverhead>
         .endm
 
 ; Macros where_kind: the lane's registers for wanted_kind, which sets T if the lane wants what has come. keep: done with r16 = 1 on lanes that
-; keep it at `into`, 0 on others; save: at the procedure's end. words: of a record.
-        .macro  pass_procedure name, places, kind, counter, next, keep, save, record=d, words=kDescriptor
+; keep it at `into`, 0 on others; save: at the procedure's end. words: of a record. take: puts the lane's next own into the slot. order: where the
+; lane keeps the next, above or below.
+        .macro  pass_procedure name, places, kind, counter, next, keep, save, record=d, words=kDescriptor, take=take_d, order=up
 name:
         wake
         ld      slot, link_slot
@@ -182,7 +194,7 @@ name'_loop:
         tge     r0, to_go
         tltu.and own, own_end
         slf
-        take_'record
+        take
         wake
         anything_to_pass
         bnor    name'_done
@@ -191,12 +203,17 @@ name'_loop:
         tge.and to_go, r0
         tget    r16
         keep
-        mul     r16, r16, #words
-        mov     slot, into
-        add     into, into, r16
         adds    passed, passed, #1
         adc     passed_upper, passed_upper, r0
+        mul     r16, r16, #words
+        mov     slot, into
+        .if idn order, up
+        add     into, into, r16
         tltu    room, into
+        .else
+        sub     into, into, r16
+        tltu    into, room
+        .endc
         bor     receive_overflow
         next_pass name
 name'_done:

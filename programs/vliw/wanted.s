@@ -1,5 +1,6 @@
 ; SPDX-License-Identifier: MIT
 ; The list of what a lane draws, in slow bank 0 behind the texture: the addresses of descriptors (communicate_region.s) or polygons (distribute.s).
+; communicate.s has there what a lane sends in a round.
 
 wanted      = 0x8200
 wanted_end  = other_scratch+57          ; behind the last of `wanted`

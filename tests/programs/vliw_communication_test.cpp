@@ -13,8 +13,6 @@ namespace rasterloom::test {
 namespace {
 
 constexpr std::uint32_t kSourceAt = 0x1000;
-constexpr std::uint32_t kSourceEnd = 0x3000;
-constexpr std::uint32_t kReceiveAt = 0x3000;
 constexpr std::uint32_t kReceiveEnd = 0x5000;
 
 constexpr std::array<std::string_view, 1> kFiles = {"communicate.s"};
@@ -47,8 +45,6 @@ VliwRenderer renderer_with(const Boxes& boxes, const Defines& options, Form form
     VliwRenderer renderer(kFiles, kStubs, "communicate", options, lanes, form);
     for (std::int64_t lane = 0; lane < lanes; ++lane) {
         renderer.write(lane, "source_at", kSourceAt);
-        renderer.write(lane, "source_end", kSourceEnd);
-        renderer.write(lane, "receive_at", kReceiveAt);
         renderer.write(lane, "receive_end", kReceiveEnd);
         const auto& own = boxes[static_cast<std::size_t>(lane)];
         renderer.write(lane, "source_count", static_cast<int>(own.size()));
@@ -156,6 +152,14 @@ TEST_P(VliwCommunication, BringsWhatALaneSendsToItself) {
     expect_all_where_wanted(boxes, options(), GetParam().form);
 }
 
+TEST_P(VliwCommunication, TakesAsManyScanlinesToPrepareAsItNeeds) {
+    Boxes boxes(16);
+    for (int i = 0; i < 60; ++i) {
+        boxes[7].push_back({i % 16, i % 16, 0, 0});
+    }
+    expect_all_where_wanted(boxes, options(), GetParam().form);
+}
+
 TEST_P(VliwCommunication, LeavesOutWhatCoversNoSample) {
     Boxes boxes(16);
     boxes[3] = {{5, 4, 0, 0}};
@@ -226,6 +230,18 @@ TEST(VliwPasses, DistributedGoByStridesThenByOnes) {
     EXPECT_EQ(passes(renderer, "near_passes"), 4) << "from 5 to 8 and 9, from 9 to 10";
 }
 
+TEST(VliwPasses, DistributedDoNotGoFarWhereAllDestinationsAreNear) {
+    for (const int dense : {0, 1}) {
+        Boxes boxes(16);
+        boxes[1] = {{2, 5, 0, 0}, {3, 3, 0, 0}};
+        boxes[14] = {{0, 2, 0, 0}};
+        VliwRenderer renderer = renderer_with(boxes, {{"dense", dense}, {"stride", 4}});
+        renderer.run();
+        EXPECT_EQ(passes(renderer, "far_passes"), 0);
+        EXPECT_LE(passes(renderer, "near_passes"), 8);
+    }
+}
+
 TEST(VliwPasses, AreFiveOnAScanlineOfALineLockedMachine) {
     VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 0}, {"line_locked", 1}});
     int most = 0;
@@ -267,6 +283,31 @@ TEST(VliwCommunicationOverflow, HasRoomForOneLessThanTheArray) {
     ASSERT_TRUE(renderer.run());
     EXPECT_EQ(renderer.read(9, "error"), 0);
     EXPECT_EQ(renderer.read(9, "receive_count"), 2);
+}
+
+// By strides of 4 lane 4 gets three to send on, and three more that it keeps, up to column `last`.
+VliwRenderer crossroads(int room, int last = 4) {
+    Boxes boxes(16);
+    boxes[0] = Boxes::value_type(3, Box{5, 5, 0, 0});
+    boxes[3] = Boxes::value_type(3, Box{4, last, 0, 0});
+    VliwRenderer renderer = renderer_with(boxes, {{"stride", 4}});
+    renderer.write(4, "receive_end", static_cast<int>(kSourceAt) + room * kDescriptorWords);
+    EXPECT_TRUE(renderer.run());
+    return renderer;
+}
+
+TEST(VliwCommunicationOverflow, CountsWhatIsToBeSentOnAsLongAsItIs) {
+    const VliwRenderer renderer = crossroads(4);
+    EXPECT_EQ(renderer.read(4, "error"), 0);
+    EXPECT_EQ(renderer.read(4, "receive_count"), 3);
+    EXPECT_EQ(renderer.read(5, "receive_count"), 3);
+    EXPECT_EQ(crossroads(3).read(4, "error"), 2);
+}
+
+TEST(VliwCommunicationOverflow, HaltsWithErrorTwoBeforeWhatHasNotBeenSentOnIsLost) {
+    EXPECT_EQ(crossroads(6, 6).read(4, "error"), 0);
+    EXPECT_EQ(crossroads(6, 6).read(5, "receive_count"), 6);
+    EXPECT_EQ(crossroads(5, 6).read(4, "error"), 2) << "two wait while the three go by";
 }
 
 }  // namespace
