@@ -33,13 +33,13 @@ void check_multiple(const Blueprint& blueprint, const std::string& symbol) {
     }
 }
 
-// Renderers have signed words for places on the ring.
+// How far the renderers' words count on a ring depends on their options.
 void check_ring(const Blueprint& blueprint) {
     const auto lanes = static_cast<std::int64_t>(blueprint.topology.nodes.size());
     if (const auto most = blueprint.image->symbol("most_lanes"); most && lanes > *most) {
         throw blueprint.description.error("topology.nodes", std::to_string(lanes),
-                                          "too many lanes for the program",
-                                          fmt::format("1 to {}", *most));
+                                          "too many lanes for the words of the program",
+                                          fmt::format("1 to {} with these nodes.symbols", *most));
     }
 }
 

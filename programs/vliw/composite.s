@@ -12,6 +12,11 @@
 ; deferred: a pixel is shaded when it is taken out, while others are in transit.
 ; Passes are counted in pixel_passes. Memory: composite_at. Counters: c2 passes left in the set; c3 of a scanline.
 
+most_lanes = 32767*group                ; members are counted by a signed word
+        .if lt 65536-most_lanes
+most_lanes = 65536
+        .endc
+
 composite_at = other_scratch+64         ; registers r1 ... r3, r11, r12, from scanline to scanline
 composite_picture = other_scratch+70    ; where the set's pixel goes
 

@@ -8,6 +8,7 @@
 ; Needs columns numbered as lanes and not fewer lanes than columns: otherwise error 3 and halt. Passes are counted in pixel_passes.
 ; Memory: fragment_next. Counter: c3 passes of a scanline.
 
+most_lanes = 65536
 fragment_next = other_scratch+64        ; place in the list of the next own fragment
 fragment_slot = other_scratch+65        ; r1 ... r5 from scanline to scanline
 
@@ -94,7 +95,8 @@ composite:
         wake
         phase   5
         ld      r16, lanes
-        tltu    r16, #screen_columns
+        sub     r16, r16, #1
+        tltu    r16, #screen_columns-1
         bt      lanes_left_over
         mov     next, #kGathered
         mov     column_of, #-1

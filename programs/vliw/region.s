@@ -7,7 +7,7 @@
 ; has its words 0, 1 and 2 (memory.s) at address p of the banks 1, 2 and 3. Between bands all depths are 0: those who take a pixel out clear it.
 ; Where bands are composited all lanes have the same; where fragments are sent each begins its next one at the topmost row that it needs.
 
-        .iif ndf group, group = 1               ; a divisor of lanes; at most 32767 lanes
+        .iif ndf group, group = 1               ; a divisor of lanes
 
 ; Bank 0, behind the texture: two lists of addresses of descriptors, then what is to be brought together (composite.s, fragments.s).
         .include "wanted.s"
@@ -70,7 +70,7 @@ power = 2*power
 pick = pick+1
         .endc
         .endr
-inverse = power*0x8000/divisor+1
+inverse = power*0x8000+divisor-1/divisor
         .endm
 
         find_inverse kPerColumns, kColumnsPick, kRegionColumns
@@ -87,18 +87,25 @@ banded_end  = other_scratch+58          ; of `banded`
 row_next    = other_scratch+59          ; fragments: the topmost row that the lane has still to draw below the band; kNoRow: none
 kNoRow      = 0x4000
 
+; q, rest := x divided by the group, x any word without a sign. t: spoilt.
+        .macro  divide_by_group q, rest, x, t
+        mulu    q, x, #kPerGroup, kGroupPick
+        mul     rest, q, #group
+        sub     rest, x, rest
+        asr     t, rest, #15            ; beyond 16383 the quotient may be 1 too large
+        add     q, q, t
+        and     t, t, #group
+        add     rest, rest, t
+        .endm
+
 ; What of the lane's number and `lanes` follows; the first band. Error 3 and halt: lanes are no multiple of the group.
         .macro  find_region
         ld      r1, lane
         ld      r2, lanes
-        mulu    r3, r1, #kPerGroup, kGroupPick
-        mulu    r4, r2, #kPerGroup, kGroupPick
-        mul     r5, r3, #group
-        sub     r5, r1, r5
-        asr     r11, r5, #15            ; beyond 16383 the quotient may be 1 too large
-        add     r3, r3, r11
-        and     r11, r11, #group
-        add     r5, r5, r11
+        sub     r2, r2, #1
+        divide_by_group r3, r5, r1, r11
+        divide_by_group r4, r9, r2, r12
+        add     r4, r4, #1
         mul     r6, r5, #kRegionColumns
         add     r7, r6, #kRegionColumns-1
         st      r3, member
@@ -109,8 +116,7 @@ kNoRow      = 0x4000
         mov     r8, #band_rows-1
         st      r0, row_first
         st      r8, row_last
-        mul     r9, r4, #group
-        tne     r9, r2
+        tne     r9, #group-1
         bor     lanes_left_over
         .endm
 

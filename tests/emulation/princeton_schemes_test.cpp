@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -82,6 +83,22 @@ INSTANTIATE_TEST_SUITE_P(
         Scheme{"sort-twice", {"nodes.symbols.group=8"}},
         Scheme{"sort-twice", {"array.line_locked=true"}},
         Scheme{"sort-twice", {"nodes.symbols.deferred=0", "nodes.symbols.band_rows=24"}}));
+
+// The numbers of their lanes do not fit a signed word.
+TEST(PrincetonLongRings, ShowTheSamePicture) {
+    const std::vector<std::string> one = {"run.frames=1", "array.line_locked=false"};
+    const RunOutcome expected = run(small("sort-middle", one));
+    for (const auto& [scheme, options] : {std::pair("sort-middle", "stride: 128, duplication: 4"),
+                                          std::pair("sort-twice", "group: 128, deferred: 0")}) {
+        std::vector<std::string> changes = one;
+        changes.emplace_back("topology.nodes=33280");
+        changes.push_back(
+            fmt::format("nodes.symbols={{screen_columns: 96, screen_rows: 64, {}}}", options));
+        const RunOutcome found = run(small(scheme, changes));
+        ASSERT_EQ(found.pictures.size(), 1U) << scheme;
+        EXPECT_TRUE(found.pictures[0] == expected.pictures[0]) << scheme;
+    }
+}
 
 TEST(PrincetonVideo, ShowsFrameBuffersOnly) {
     for (const std::string scheme : {"sort-first", "sort-middle", "sort-last-sparse"}) {
@@ -173,8 +190,11 @@ INSTANTIATE_TEST_SUITE_P(
                   HasSubstr("screen.width: the program's screen is smaller '97'; expected at most "
                             "96")},
         BadScheme{"sort-last-dense", "topology.nodes=40000",
-                  HasSubstr("topology.nodes: too many lanes for the program '40000'; expected 1 to "
-                            "32767")}));
+                  HasSubstr("topology.nodes: too many lanes for the words of the program '40000'; "
+                            "expected 1 to 32767 with these nodes.symbols")},
+        BadScheme{"sort-middle", "topology.nodes=32768", HasSubstr("expected 1 to 32767")},
+        BadScheme{"sort-first", "topology.nodes=32768", HasSubstr("expected 1 to 32767")},
+        BadScheme{"sort-middle", "topology.nodes=65537", HasSubstr("topology.nodes")}));
 
 TEST(PrincetonSchemesHalt, WhereALaneHasNoRoomForThePicture) {
     EXPECT_THAT(
