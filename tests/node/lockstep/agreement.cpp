@@ -59,6 +59,11 @@ std::shared_ptr<const isa::vliw::Program> program_of(std::vector<isa::vliw::Bund
     return program;
 }
 
+isa::vliw::Bundle::Memory memory(isa::vliw::MemOp op, int bank, int reg, int base, int offset) {
+    return {op, static_cast<std::uint8_t>(bank), static_cast<std::uint8_t>(reg),
+            static_cast<std::uint8_t>(base), static_cast<std::uint16_t>(offset)};
+}
+
 std::string difference(const LockstepArray& array, const Interpreter& interpreter) {
     Comparison compare;
     compare("program counter ", 0, array.program_counter(), interpreter.program_counter());

@@ -15,6 +15,10 @@ namespace rasterloom::testing {
 std::shared_ptr<const isa::vliw::Program> program_of(std::vector<isa::vliw::Bundle> bundles,
                                                      std::uint16_t entry = 0);
 
+constexpr std::int64_t kMuch = 1'000'000;  // cycles; more than a test's program takes
+
+isa::vliw::Bundle::Memory memory(isa::vliw::MemOp op, int bank, int reg, int base, int offset);
+
 // The first difference in what both know of sequencer and lanes, memory 0x100 ... 0x13f of all
 // banks included; empty if there is none.
 std::string difference(const LockstepArray& array, const isa::vliw::Interpreter& interpreter);
