@@ -34,16 +34,18 @@ void read_object(MachineDescription& machine, const Value& value, const Locator&
 }
 
 Field object_field() {
-    return {"scene.object",
-            "a built-in object or polygon scene, a mesh file or a polygon file (.polygons)",
-            "what is drawn: see `rasterloom list scenes`; a file is looked for beside the "
-            "configuration",
-            false,
-            read_object,
-            [](const MachineDescription& machine) {
-                const SceneDescription& scene = scene_of(machine);
-                return yaml_scalar(scene.mesh ? scene.mesh->string() : scene.object);
-            }};
+    return {
+        "scene.object",
+        "a built-in object or polygon scene, a mesh file, a polygon file (.polygons) or bounding "
+        "boxes (.boxes)",
+        "what is drawn: see `rasterloom list scenes`; a file is looked for beside the "
+        "configuration",
+        false,
+        read_object,
+        [](const MachineDescription& machine) {
+            const SceneDescription& scene = scene_of(machine);
+            return yaml_scalar(scene.mesh ? scene.mesh->string() : scene.object);
+        }};
 }
 
 Field model_field() {

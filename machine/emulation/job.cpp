@@ -19,9 +19,10 @@ std::unique_ptr<HostJob> make_job(const Blueprint& blueprint) {
         if (blueprint.distribution) {
             return make_tile_job(blueprint);
         }
-        if (scene_kind(description) != SceneKind::object) {
+        if (const SceneKind kind = scene_kind(description); kind != SceneKind::object) {
             throw description.error("scene.object", description.scene->object,
-                                    "is made of screen polygons",
+                                    kind == SceneKind::boxes ? "is made of bounding boxes"
+                                                             : "is made of screen polygons",
                                     "an object or a mesh, or a topology that deals out the screen");
         }
         if (blueprint.topology.triangles.empty()) {

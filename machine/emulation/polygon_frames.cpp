@@ -102,6 +102,10 @@ void make_frames(const MachineDescription& machine, PolygonFrames& result) {
             return make_file_frames(machine, result);
         case SceneKind::object:
             return make_object_frames(machine, result);
+        case SceneKind::boxes:
+            throw machine.error("scene.object", machine.scene->object,
+                                "bounding boxes are sent by lock-step machines only",
+                                "an object, a mesh or polygons");
     }
 }
 

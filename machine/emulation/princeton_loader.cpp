@@ -2,6 +2,7 @@
 #include "machine/emulation/princeton_loader.hpp"
 
 #include "machine/emulation/node_memory.hpp"
+#include "machine/emulation/princeton_boxes.hpp"
 #include "machine/host/triangle_tables.hpp"
 
 #include <algorithm>
@@ -89,6 +90,29 @@ class Loader {
             divide_homes(most);
         else
             divide_rest(room_ + most * polygon_);
+    }
+
+    // Polygons that geometry has gone over already.
+    void load_boxes(std::span<const host::BoundingBox> boxes) {
+        if (at("boxes") == 0)
+            throw std::invalid_argument(
+                "bounding boxes for a program that makes its descriptors itself, expected its "
+                "option boxes to be 1");
+        if (std::ssize(boxes) > kMostDrawnBoxes)
+            throw std::invalid_argument(fmt::format("{} bounding boxes, expected {} at most",
+                                                    boxes.size(), kMostDrawnBoxes));
+        divide_rest(room_);
+        const auto sources = descriptors_of(boxes);
+        const std::int64_t fitting = room_for_sources(room_);
+        for (std::int64_t lane = 0; lane < array_.lanes(); ++lane) {
+            const auto& words = sources[static_cast<std::size_t>(lane)];
+            const std::int64_t count = std::ssize(words) / descriptor_;
+            if (count > fitting)
+                throw std::invalid_argument(fmt::format(
+                    "{} visible polygons on lane {}, expected {} at most", count, lane, fitting));
+            array_.write(lane, static_cast<std::uint32_t>(room_), words);
+            set(lane, "source_count", count);
+        }
     }
 
     void load_view(const host::TriangleView& view) {
@@ -180,11 +204,49 @@ class Loader {
                                 : fmt::format("not even {} lanes would do", kMostLanes)));
     }
 
+    // [lane]: of the boxes that it is to send.
+    std::vector<std::vector<std::uint16_t>> descriptors_of(
+        std::span<const host::BoundingBox> boxes) const {
+        std::vector<std::vector<std::uint16_t>> sources(static_cast<std::size_t>(array_.lanes()));
+        const int right = static_cast<int>(at("screen_columns")) - 1;
+        const int bottom = static_cast<int>(at("screen_rows")) - 1;
+        for (std::int64_t b = 0; b < std::ssize(boxes); ++b) {
+            auto [is_visible, box] = boxes[static_cast<std::size_t>(b)];
+            if (!is_visible)
+                continue;
+            if (box.x0 > right || box.y0 > bottom)
+                throw std::invalid_argument(fmt::format(
+                    "polygon {}: visible, but its box ({},{}) ({},{}) is off the screen of {} x {} "
+                    "pixels, expected a box that meets it",
+                    b, box.x0, box.y0, box.x1, box.y1, right + 1, bottom + 1));
+            box.x1 = std::min(box.x1, right);
+            box.y1 = std::min(box.y1, bottom);
+            auto& source = sources[static_cast<std::size_t>(sender_of(b, box.x0))];
+            const auto words = box_descriptor(image_, b, box);
+            source.insert(source.end(), words.begin(), words.end());
+        }
+        return sources;
+    }
+
+    // Of its copies that one sends a polygon which duplicate.s says.
+    std::int64_t sender_of(std::int64_t polygon, int left) const {
+        const std::int64_t lanes = array_.lanes();
+        const std::int64_t apart = lanes / copies_;
+        std::int64_t lane = polygon % apart;
+        while ((left - lane - 1 + 2 * lanes) % lanes >= apart)
+            lane += apart;
+        return lane;
+    }
+
+    std::int64_t room_for_sources(std::int64_t begin) const {
+        return (kRoomEnd - begin) / descriptor_ - 1;
+    }
+
     // Behind the database: descriptors to be sent, and behind them what is received, which must
     // have room for one at least.
     void divide_rest(std::int64_t begin) {
         const std::int64_t descriptors = (kRoomEnd - begin) / descriptor_;
-        const std::int64_t sent = descriptors - 1;
+        const std::int64_t sent = room_for_sources(begin);
         set("source_at", begin);
         set("source_end", begin + sent * descriptor_);
         set("receive_end", begin + descriptors * descriptor_);
@@ -214,11 +276,24 @@ class Loader {
 
 }  // namespace
 
+namespace {
+
+// What is the same whatever is drawn.
+Loader with_tables(LockstepArray& array, const isa::Image& image, const ColumnMap& columns) {
+    check_columns(columns, array.lanes(), program_view(image).width);
+    Loader loader(array, image);
+    loader.lay_out();
+    loader.load_tables();
+    loader.load_columns(columns);
+    return loader;
+}
+
+}  // namespace
+
 void load_princeton(LockstepArray& array, const isa::Image& image, const host::TriangleScene& scene,
                     const host::TriangleView& view, const host::TriangleLights& lights,
                     const ColumnMap& columns) {
     const host::TriangleView screen = program_view(image);
-    check_columns(columns, array.lanes(), screen.width);
     if (scene.textures.size() > 1)
         throw std::invalid_argument(
             fmt::format("{} textures, expected one at most", scene.textures.size()));
@@ -226,15 +301,22 @@ void load_princeton(LockstepArray& array, const isa::Image& image, const host::T
         throw std::invalid_argument(fmt::format("a view of {} x {} pixels, expected {} x {}",
                                                 view.width, view.height, screen.width,
                                                 screen.height));
-    Loader loader(array, image);
-    loader.lay_out();
-    loader.load_tables();
-    loader.load_columns(columns);
+    Loader loader = with_tables(array, image, columns);
     loader.load_polygons(scene.triangles);
     loader.load_view(view);
     loader.load_lights(lights);
     if (!scene.textures.empty())
         loader.load_texture(scene.textures.front());
+}
+
+void load_princeton_boxes(LockstepArray& array, const isa::Image& image,
+                          std::span<const host::BoundingBox> boxes, const ColumnMap& columns) {
+    with_tables(array, image, columns).load_boxes(boxes);
+}
+
+void load_boxes(LockstepArray& array, const isa::Image& image,
+                std::span<const host::BoundingBox> boxes) {
+    Loader(array, image).load_boxes(boxes);
 }
 
 void load_matrix(LockstepArray& array, const isa::Image& image,

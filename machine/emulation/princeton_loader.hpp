@@ -5,12 +5,14 @@
 
 #include "isa/image.hpp"
 #include "machine/emulation/princeton_screen.hpp"
+#include "machine/host/bounding_boxes.hpp"
 #include "machine/host/triangle_scene.hpp"
 #include "machine/host/triangle_view.hpp"
 #include "machine/node/lockstep/lockstep_array.hpp"
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace rasterloom {
 
@@ -26,6 +28,16 @@ namespace rasterloom {
 void load_princeton(LockstepArray& array, const isa::Image& image, const host::TriangleScene& scene,
                     const host::TriangleView& view, const host::TriangleLights& lights,
                     const ColumnMap& columns);
+
+// Boxes in place of polygons: each visible one is a descriptor on the lane that would have sent it,
+// cut off at the program's screen. The program's option `boxes` is 1. Throws for a visible box off
+// the screen, more on a lane than it has room for, likewise.
+void load_princeton_boxes(LockstepArray& array, const isa::Image& image,
+                          std::span<const host::BoundingBox> boxes, const ColumnMap& columns);
+
+// The same boxes for the next frame: descriptors are used up.
+void load_boxes(LockstepArray& array, const isa::Image& image,
+                std::span<const host::BoundingBox> boxes);
 
 // Where the object stands in the next frame: for machines that are not line-locked, which do not
 // get it a scanline at a time.

@@ -9,6 +9,7 @@
 #include "machine/host/triangle_renderer.hpp"
 
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 namespace rasterloom::emulation {
@@ -69,7 +70,17 @@ std::vector<host::BoundingBox> princeton_boxes(const Blueprint& blueprint) {
     if (!blueprint.is_lockstep()) {
         throw machine.error("nodes.isa", machine.nodes.isa, "is no machine of lanes", "vliw");
     }
-    if (!machine.scene || scene_kind(machine) != SceneKind::object) {
+    if (!machine.scene) {
+        throw machine.error("scene", {}, "missing", "an object, a mesh or bounding boxes");
+    }
+    if (scene_kind(machine) == SceneKind::boxes) {
+        try {
+            return host::load_bounding_boxes(*machine.scene->mesh);
+        } catch (const std::runtime_error& problem) {
+            throw machine.error("scene.object", {}, problem.what());
+        }
+    }
+    if (scene_kind(machine) != SceneKind::object) {
         throw machine.error("scene", {}, "has no object or mesh");
     }
     const host::TriangleScene scene = make_princeton_scene(machine);

@@ -21,8 +21,9 @@ host::TriangleScene make_princeton_scene(const config::MachineDescription& machi
 host::TriangleView make_princeton_view(const config::MachineDescription& machine, int distance,
                                        std::int64_t frame);
 
-// Where the polygons stand in the machine's first frame, found by the reference renderer. Throws
-// ConfigError, also for a machine whose nodes are no lanes of an array or that has no object.
+// Where the polygons stand in the machine's first frame, found by the reference renderer or in a
+// file of bounding boxes. Throws ConfigError, also for a machine whose nodes are no lanes of an
+// array or that has no such scene.
 std::vector<host::BoundingBox> princeton_boxes(const Blueprint& blueprint);
 
 }  // namespace rasterloom::emulation

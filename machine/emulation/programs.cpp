@@ -7,6 +7,7 @@
 #include "isa/image_files.hpp"
 #include "isa/pdp11/pdp11.hpp"
 #include "isa/vliw/vliw.hpp"
+#include "machine/emulation/scene_kind.hpp"
 
 #include <stdexcept>
 
@@ -43,6 +44,7 @@ isa::AssemblerOptions assembler_options(const MachineDescription& machine) {
     define("half_digested", machine.fabric.half_digested);
     define("line_locked", machine.array.line_locked);
     define("scanlines", machine.array.lines);
+    define("boxes", machine.scene && scene_kind(machine) == SceneKind::boxes);
     define("textured", machine.scene && machine.scene->texture.name != "none");
     return options;
 }

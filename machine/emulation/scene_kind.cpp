@@ -8,7 +8,10 @@ namespace rasterloom::emulation {
 SceneKind scene_kind(const config::MachineDescription& machine) {
     const config::SceneDescription& scene = *machine.scene;
     if (scene.mesh) {
-        return scene.mesh->extension() == ".polygons" ? SceneKind::polygon_file : SceneKind::object;
+        const auto extension = scene.mesh->extension();
+        return extension == ".polygons" ? SceneKind::polygon_file
+               : extension == ".boxes"  ? SceneKind::boxes
+                                        : SceneKind::object;
     }
     return host::find_polygon_scene(scene.object) != nullptr ? SceneKind::polygon_scene
                                                              : SceneKind::object;

@@ -80,9 +80,12 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
     }
     if (scene == nullptr || !scene->is_random) {
         add("a random scene", {"scene.seed"});
-        if (!lockstep) {
+        if (!lockstep || kind == SceneKind::boxes) {
             add("a random scene", {"scene.polygons"});
         }
+    }
+    if (kind == SceneKind::boxes) {
+        add("an object or mesh as the scene", {"scene.texture", "scene.up", "scene.front"});
     }
     if (!machine.scene->mesh && !machine.scene->model) {
         add("a mesh file", {"scene.up", "scene.front"});

@@ -4,6 +4,7 @@
 ;               what has been found out about it: see `candidate`;
 ;   `light`     goes over these and makes them descriptors (geometry_light.s, geometry_planes.s).
 ; `geometry` is the entry; main has the label `communicate`, where it goes on. textured = 0 leaves u and v out.
+; boxes = 1 leaves everything out: what the host has put into the array is sent as it is.
 ; With sort_first the polygons are those that the list `wanted` names, and the descriptors stay: main has the label `normalise`.
 ; A lane whose array is full when one more polygon is visible sets `error` to 1, and the machine halts.
 
@@ -72,6 +73,10 @@ kCandidate  = 29
 ; Prepares transform.
 geometry:
         wake
+        .if ne boxes
+        setp    communicate
+        line
+        .endc
         setp    transform
         .if ne sort_first
         phase   1                       ; sort_homes has copied the matrix

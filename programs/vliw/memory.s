@@ -13,6 +13,10 @@
         .endc
 ;
         .iif ndf sort_first, sort_first = 0     ; 1: polygons go to the lanes of their columns first, geometry is done there
+        .iif ndf boxes, boxes = 0               ; 1: there are no polygons, but descriptors to be sent: the host fills that array for each frame
+        .if ne sort_first&boxes
+        .error  bounding boxes are no scene for sort-first, which sends polygons before their geometry
+        .endc
 ;
 ; Phases, by which work is counted: 0 other, 1 geometry, 2 communication, 3 normalising, 4 rasterising, 5 bringing pixels together, 6 migration.
 ;
