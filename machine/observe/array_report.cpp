@@ -22,18 +22,18 @@ void add_phases(std::string& text, const ArrayReport& array,
                 const std::vector<std::string>& names) {
     const std::int64_t cycles = array.total().cycles;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "\n{:<24}{:>12}{:>8}{:>12}{:>12}{:>8}\n", "Phase", "cycles", "share",
-                   "bundles", "ops/bundle", "awake");
+    fmt::format_to(out, "\n{:<24}{:>12}{:>8}{:>12}{:>12}{:>8}{:>11}\n", "Phase", "cycles", "share",
+                   "bundles", "ops/bundle", "awake", "real time");
     for (const ArrayReport::Phase& phase : array.phases) {
         if (phase.counts.cycles == 0) {
             continue;
         }
         const auto number = static_cast<std::size_t>(phase.phase);
         const bool named = number < names.size() && !names[number].empty();
-        fmt::format_to(out, "{:<24}{:>12}{:>7.1f}%{:>12}{:>12.2f}{:>7.1f}%\n",
+        fmt::format_to(out, "{:<24}{:>12}{:>7.1f}%{:>12}{:>12.2f}{:>7.1f}%{:>11.3g}\n",
                        named ? names[number] : fmt::format("phase {}", number), phase.counts.cycles,
                        100 * ratio(phase.counts.cycles, cycles), phase.counts.bundles,
-                       phase.counts.parallelism(), 100 * phase.awake);
+                       phase.counts.parallelism(), 100 * phase.awake, phase.real_time);
     }
 }
 

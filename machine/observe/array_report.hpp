@@ -21,7 +21,9 @@ struct ArrayReport {
     struct Phase {
         std::int64_t phase = 0;  // of the frame
         BundleCounts counts;
-        double awake = 0;  // share of the lanes, on average over its cycles
+        double awake = 0;      // share of the lanes, on average over its cycles
+        double real_time = 0;  // its cycles' time over the host's, idle ones not counted; 0: not
+                               // known. In no file, since it depends on the host
     };
     // From a label that is called, or that the procedure pointer names, to the next one.
     struct Procedure {
