@@ -148,8 +148,17 @@ std::uint16_t LaneMemory::read(std::int64_t lane, std::uint32_t address) const {
 void LaneMemory::read(std::int64_t lane, std::uint32_t address,
                       std::span<std::uint16_t> words) const {
     check_range(address, words.size());
-    for (std::uint16_t& value : words) {
-        value = read(lane, address++);
+    while (!words.empty()) {
+        const std::size_t count =
+            std::min<std::size_t>(words.size(), extent(address).end - address);
+        const MemoryRegion& from = region(address);
+        const std::size_t stride = from.view().address_stride;
+        const std::uint16_t* const first = word(from, lane, address);
+        for (std::size_t i = 0; i < count; ++i) {
+            words[i] = first[i * stride];
+        }
+        words = words.subspan(count);
+        address += static_cast<std::uint32_t>(count);
     }
 }
 
