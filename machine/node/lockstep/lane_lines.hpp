@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -66,7 +67,7 @@ struct LaneLines {
     std::array<Line, kLines> lines;
     std::uint32_t used = 0;                              // bit i: lines[i]
     std::array<std::uint8_t, kMostLineIds + 1> place{};  // by id: index of the line + 1, or 0
-    std::size_t next = 0;                                // to be given up
+    std::size_t next = 0;                                // last given up
     std::array<Relation, 4> relations;
     std::size_t next_relation = 0;
 
@@ -75,6 +76,15 @@ struct LaneLines {
     alignas(
         64) std::array<std::uint16_t, kMaxWidth> open_at{};  // first words' addresses in the bank
 
+    // The first free one, since its rows are in the host's caches; else one in turn is given up.
+    std::size_t place_for_another() {
+        if (used != (1U << kLines) - 1) {
+            return static_cast<std::size_t>(std::countr_one(used));
+        }
+        next = (next + 1) % lines.size();
+        forget(next);
+        return next;
+    }
     void forget(std::size_t index) {
         place[lines[index].id] = 0;
         used &= ~(1U << index);

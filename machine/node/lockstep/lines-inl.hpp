@@ -18,11 +18,14 @@ namespace rasterloom::lockstep {
 namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
-// Row i of the result is column i of what was there.
-using Square = hn::FixedTag<std::uint16_t, kLineWords>;
-HWY_INLINE void transpose(hn::Vec<Square>* rows) {
-    const Square d;
-    const hn::RepartitionToWide<Square> d2;
+// A line's words of one lane, and of as many groups of eight lanes as a vector has room for.
+using Part = hn::FixedTag<std::uint16_t, kLineWords>;
+inline constexpr std::size_t kParts = hn::MaxLanes(Words()) / kLineWords;
+
+// Within each part: row i of the result is column i of what was there.
+HWY_INLINE void transpose(Vector* rows) {
+    const Words d;
+    const hn::RepartitionToWide<Words> d2;
     const hn::RepartitionToWide<decltype(d2)> d4;
     using Pair = hn::Vec<decltype(d2)>;
     using Quad = hn::Vec<decltype(d4)>;
@@ -46,67 +49,127 @@ HWY_INLINE void transpose(hn::Vec<Square>* rows) {
         rows[2 * i + 1] = hn::BitCast(d, hn::InterleaveUpper(d4, quads[2 * i], quads[2 * i + 1]));
     }
 }
+
+// load(first), load(first + 1), ..., so many, side by side.
+template <std::size_t kCount, class Load>
+HWY_INLINE auto parts_of(std::size_t first, Load load) {
+    if constexpr (kCount == 1) {
+        return load(first);
+    } else {
+        constexpr std::size_t kHalf = kCount / 2;
+        const hn::FixedTag<std::uint16_t, kCount * kLineWords> d;
+        return hn::Combine(d, parts_of<kHalf>(first + kHalf, load), parts_of<kHalf>(first, load));
+    }
+}
 #endif
 
-// rows := each lane's eight words at words[lane * stride + at[lane]].
+// Lanes that are turned together.
+inline constexpr std::size_t kTurned =
+    HWY_TARGET == HWY_SCALAR ? kLineWords : hn::MaxLanes(Words());
+
+// Of the lanes from `lane` on, kTurned of them.
+HWY_INLINE std::uint64_t bits_from(const LaneBits& bits, std::size_t lane) {
+    return bits[lane / kBitsPerWord] >> (lane % kBitsPerWord) & ((std::uint64_t{1} << kTurned) - 1);
+}
+
+// rows := each lane's eight words at words[lane * stride + at[lane]], but where all lanes that are
+// turned together sleep. `lanes`: without those.
 HWY_INLINE void turn_in(const LaneBlock& block, const std::uint16_t* words, std::size_t stride,
-                        const std::uint16_t* at, std::uint16_t* rows) {
-    for (std::size_t lane = 0; lane < block.width; lane += kLineWords) {
+                        const std::uint16_t* at, Line& line) {
+    for (std::size_t lane = 0; lane < block.width; lane += kTurned) {
+        if (bits_from(block.awake, lane) == 0) {
+            line.lanes[lane / kBitsPerWord] &=
+                ~(((std::uint64_t{1} << kTurned) - 1) << (lane % kBitsPerWord));
+            continue;
+        }
 #if HWY_TARGET == HWY_SCALAR
-        for (std::size_t i = lane; i < lane + kLineWords; ++i) {
+        for (std::size_t i = lane; i < lane + kTurned; ++i) {
             for (std::size_t word = 0; word < kLineWords; ++word) {
-                rows[word * block.width + i] = words[i * stride + at[i] + word];
+                line.rows[word * block.width + i] = words[i * stride + at[i] + word];
             }
         }
 #else
-        const Square d;
-        hn::Vec<Square> square[kLineWords];
+        Vector square[kLineWords];
         for (std::size_t i = 0; i < kLineWords; ++i) {
-            square[i] = hn::LoadU(d, words + (lane + i) * stride + at[lane + i]);
+            square[i] = parts_of<kParts>(0, [&](std::size_t part) HWY_ATTR {
+                const std::size_t from = lane + part * kLineWords + i;
+                return hn::LoadU(Part(), words + from * stride + at[from]);
+            });
         }
         transpose(square);
         for (std::size_t word = 0; word < kLineWords; ++word) {
-            hn::Store(square[word], d, rows + word * block.width + lane);
+            hn::Store(square[word], Words(), line.rows + word * block.width + lane);
         }
 #endif
     }
 }
 
-// The contrary, of the rows in `dirty` and the lanes in `lanes`.
-HWY_INLINE void turn_out(const LaneBlock& block, std::uint16_t* words, std::size_t stride,
-                         const Line& line, const std::uint16_t* at, std::uint32_t dirty) {
-    for (std::size_t lane = 0; lane < block.width; lane += kLineWords) {
-        const std::uint64_t lanes = line.lanes[lane / kBitsPerWord] >> (lane % kBitsPerWord) & 0xFF;
+// The contrary, of the rows in `dirty` and the lanes in `lanes`: word by word...
+HWY_INLINE void turn_out_words(const LaneBlock& block, std::uint16_t* words, std::size_t stride,
+                               const Line& line, const std::uint16_t* at, std::uint32_t dirty) {
+    std::uint16_t* to[kMaxWidth];
+    std::uint16_t lanes[kMaxWidth];
+    std::size_t count = 0;
+    for (std::size_t word = 0; word < block.bit_words(); ++word) {
+        for (std::uint64_t bits = line.lanes[word]; bits != 0; bits &= bits - 1) {
+            const std::size_t lane =
+                word * kBitsPerWord + static_cast<std::size_t>(std::countr_zero(bits));
+            lanes[count] = static_cast<std::uint16_t>(lane);
+            to[count++] = words + lane * stride + at[lane];
+        }
+    }
+    for (; dirty != 0; dirty &= dirty - 1) {
+        const auto word = static_cast<std::size_t>(std::countr_zero(dirty));
+        const std::uint16_t* const row = line.rows + word * block.width;
+        for (std::size_t i = 0; i < count; ++i) {
+            to[i][word] = row[lanes[i]];
+        }
+    }
+}
+
+#if HWY_TARGET != HWY_SCALAR
+// ... and lane by lane.
+HWY_INLINE void turn_out_lanes(const LaneBlock& block, std::uint16_t* words, std::size_t stride,
+                               const Line& line, const std::uint16_t* at, std::uint32_t dirty) {
+    const Words d;
+    const Part part;
+    const auto bits = static_cast<std::uint8_t>(dirty);
+    alignas(8) const std::uint8_t stored[8] = {bits};
+    const hn::Mask<Part> mask = hn::LoadMaskBits(part, stored);
+    for (std::size_t first = 0; first < block.width; first += kTurned) {
+        const std::uint64_t lanes = bits_from(line.lanes, first);
         if (lanes == 0) {
             continue;
         }
-#if HWY_TARGET == HWY_SCALAR
-        for (std::size_t i = 0; i < kLineWords; ++i) {
-            for (std::size_t word = 0; word < kLineWords; ++word) {
-                if ((lanes >> i & 1U) != 0 && (dirty >> word & 1U) != 0) {
-                    words[(lane + i) * stride + at[lane + i] + word] =
-                        line.rows[word * block.width + lane + i];
-                }
-            }
-        }
-#else
-        const Square d;
-        const auto bits = static_cast<std::uint8_t>(dirty);
-        alignas(8) const std::uint8_t stored[8] = {bits};
-        const hn::Mask<Square> mask = hn::LoadMaskBits(d, stored);
-        hn::Vec<Square> square[kLineWords];
+        Vector square[kLineWords];
         for (std::size_t word = 0; word < kLineWords; ++word) {
-            square[word] = hn::Load(d, line.rows + word * block.width + lane);
+            square[word] = hn::Load(d, line.rows + word * block.width + first);
         }
         transpose(square);
+        alignas(64) std::uint16_t turned[kLineWords * kTurned];
         for (std::size_t i = 0; i < kLineWords; ++i) {
-            if ((lanes >> i & 1U) != 0) {
-                std::uint16_t* const to = words + (lane + i) * stride + at[lane + i];
-                hn::StoreU(hn::IfThenElse(mask, square[i], hn::LoadU(d, to)), d, to);
-            }
+            hn::Store(square[i], d, turned + i * kTurned);
         }
-#endif
+        for (std::uint64_t left = lanes; left != 0; left &= left - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(left));
+            std::uint16_t* const to = words + (first + i) * stride + at[first + i];
+            const auto from =
+                hn::Load(part, turned + i % kLineWords * kTurned + i / kLineWords * kLineWords);
+            hn::StoreU(hn::IfThenElse(mask, from, hn::LoadU(part, to)), part, to);
+        }
     }
+}
+#endif
+
+HWY_INLINE void turn_out(const LaneBlock& block, std::uint16_t* words, std::size_t stride,
+                         const Line& line, const std::uint16_t* at, std::uint32_t dirty) {
+#if HWY_TARGET != HWY_SCALAR
+    if (std::popcount(dirty) > kLineWords / 2) {
+        turn_out_lanes(block, words, stride, line, at, dirty);
+        return;
+    }
+#endif
+    turn_out_words(block, words, stride, line, at, dirty);
 }
 
 // Writes the open line back, and closes it.
@@ -242,11 +305,8 @@ inline const Line* fetch_line(LaneBlock& block, const MicroOperation& op, std::u
         return nullptr;
     }
     alignas(64) std::uint16_t at[kMaxWidth];
-    const std::size_t index = lines.next;
+    const std::size_t index = lines.place_for_another();
     Line& line = lines.lines[index];
-    if (line.id != 0) {
-        lines.forget(index);
-    }
     line.base = op.a;
     line.bank = op.where;
     line.offset = line_offset(op.immediate);
@@ -260,12 +320,10 @@ inline const Line* fetch_line(LaneBlock& block, const MicroOperation& op, std::u
     for (std::size_t lane = 0; lane < block.width; ++lane) {
         at[lane] = static_cast<std::uint16_t>(at[lane] - shift);
     }
-    turn_in(block, region.at(view, block.index, line.bank + shift), view.lane_stride, at,
-            line.rows);
+    turn_in(block, region.at(view, block.index, line.bank + shift), view.lane_stride, at, line);
     line.id = op.detail;
     lines.place[line.id] = static_cast<std::uint8_t>(index + 1);
     lines.used |= 1U << index;
-    lines.next = (index + 1) % lines.lines.size();
     return &line;
 }
 
