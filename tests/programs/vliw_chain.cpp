@@ -105,6 +105,25 @@ void write_tables(VliwRenderer& renderer, int lane) {
     renderer.write(lane, isa::vliw::slow_address(0, 0), texels);
 }
 
+// To the lane of its number, or to so many lanes as `duplication` says. How many each has.
+std::vector<int> deal(VliwRenderer& renderer, const std::vector<ScenePolygon>& scene,
+                      const Defines& options) {
+    const auto lanes = static_cast<std::size_t>(renderer.lanes());
+    const auto copies = options.find("duplication");
+    const std::size_t apart =
+        lanes / static_cast<std::size_t>(copies == options.end() ? 1 : copies->second);
+    const int pitch = renderer.symbol("kDatabase");
+    std::vector<int> counts(lanes);
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+        for (std::size_t lane = i * 7 % apart; lane < lanes; lane += apart) {
+            renderer.write(static_cast<std::int64_t>(lane),
+                           kDatabaseAt + static_cast<std::uint32_t>(pitch * counts[lane]++),
+                           scene[i]);
+        }
+    }
+    return counts;
+}
+
 void write_view(VliwRenderer& renderer, int lane) {
     renderer.write(lane, "focal", kFocal);
     renderer.write(lane, "near", kNear);
@@ -151,13 +170,7 @@ VliwRenderer chain_of(std::string_view file, const std::vector<ScenePolygon>& sc
     options["screen_columns"] = screen.columns;
     options["screen_rows"] = screen.rows;
     VliwRenderer renderer(file, options, lanes, form);
-    std::vector<int> counts(static_cast<std::size_t>(lanes));
-    const int pitch = renderer.symbol("kDatabase");
-    for (std::size_t i = 0; i < scene.size(); ++i) {
-        const std::size_t lane = i * 7 % counts.size();
-        renderer.write(static_cast<std::int64_t>(lane),
-                       kDatabaseAt + static_cast<std::uint32_t>(pitch * counts[lane]++), scene[i]);
-    }
+    const std::vector<int> counts = deal(renderer, scene, options);
     for (int lane = 0; lane < lanes; ++lane) {
         renderer.write(lane, "polygons", counts[static_cast<std::size_t>(lane)]);
         renderer.write(lane, "most", std::ranges::max(counts));

@@ -28,8 +28,8 @@ std::vector<ScenePolygon> random_scene(int count, int size, std::uint32_t seed,
 // Small ones and some that cover much, for the default screen.
 std::vector<ScenePolygon> mixed_scene();
 
-// `file` with the scene dealt out to its lanes, the tables and the lights, ready to run. Arrays
-// have room for 130 descriptors.
+// `file` with the scene dealt out to its lanes, as often as the option `duplication` says, the
+// tables and the lights, ready to run. Arrays have room for 130 descriptors.
 VliwRenderer chain_of(std::string_view file, const std::vector<ScenePolygon>& scene,
                       Defines options, int lanes, Form form = Form::packed, ScreenSize screen = {});
 
