@@ -111,7 +111,10 @@ class AtEndOf {
     bool is_migration() const {
         return phase_ == static_cast<int>(lanes_.at("phase_name_migrate"));
     }
-    bool is_list() const { return lanes_.image().symbol("wanted").has_value(); }
+    bool is_list() const {
+        return lanes_.image().symbol("sort_first").value_or(0) != 0 ||
+               lanes_.image().symbol("kRegion").has_value();
+    }
     std::uint32_t step() const { return is_list() ? 1 : lanes_.at("kDescriptor"); }
     std::string end() const {
         return is_migration() ? "home_end" : is_list() ? "wanted_end" : "received_end";
