@@ -6,9 +6,12 @@ import unittest
 
 from folders import RASTERLOOM, script
 
+from eldridge_ring import counts, random_scene
 from measuring import CachedEmulator
+from princeton_figures import beside, greatest_that_fits, in_strips, on_machine
 from princeton_machine import PICTURE, array, frame_figures, line_figures, model, passes, phase, rounds, stage_costs
 from princeton_ring import best, cells, communication, where_it_fits
+from princeton_schemes import frame
 
 CUBE = (("scene.object", "cube"),)
 
@@ -59,6 +62,24 @@ class Machine(unittest.TestCase):
         self.assertIsNone(where_it_fits(self.emulator, crowded, 1, copies=64))
         self.assertEqual(cells(None, lambda row: [])[0], "does not fit a lane's memory")
         self.assertEqual(best({1: {"cycles": (9, 8)}, 8: {"cycles": (3, 8)}, 16: None}, 0), "8, 3.00")
+
+    def test_boxes_are_passed_on_any_ring_as_the_model_counts(self):
+        scene = random_scene(2000)
+        for n in (64, 1024):
+            found, counted = on_machine(self.emulator, scene, n=n), counts(self.emulator, scene, "--processors", n)
+            self.assertAlmostEqual(passes(found)[1] / counted["stages"][0]["passes"], 1, 1)
+        self.assertEqual(in_strips(self.emulator, scene, 64).read_text().count("\n"), 2001)
+
+    def test_boxes_without_room_are_told(self):
+        self.assertIsNone(on_machine(self.emulator, random_scene(40_000), n=64))
+        self.assertEqual(beside(None, 1.5), "no room, 1.50")
+        fitting = greatest_that_fits(self.emulator, "sort-middle", n=64)
+        self.assertIsNotNone(on_machine(self.emulator, random_scene(1000 * fitting), n=64))
+
+    def test_a_frame_is_its_stages(self):
+        found = frame(self.emulator, "sort-twice", CUBE)
+        self.assertGreater(found["composite"], 1_000_000)
+        self.assertLess(found["all"] - sum(cycles for name, cycles in found.items() if name != "all"), 1)
 
     def test_stages_are_printed(self):
         done = script("princeton.py", "stages")
