@@ -114,6 +114,7 @@ struct SupervisorDescription {
 struct ScreenDescription {
     std::int64_t width = 256;  // pixels
     std::int64_t height = 256;
+    std::optional<FileReference> map;  // columns of an array's lanes; none: lane i has column i
 };
 
 enum class Routing : std::uint8_t { small_circle, great_circle };

@@ -5,6 +5,7 @@
 
 #include "machine/config/field.hpp"
 #include "machine/config/units.hpp"
+#include "machine/config/yaml_text.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -53,6 +54,28 @@ Field count_field(std::string path, std::string summary, std::int64_t least, std
                 get(machine) = count;
             },
             [get](const MachineDescription& machine) { return std::to_string(get(machine)); }};
+}
+
+// An optional file, looked for beside the configuration.
+template <typename Get>
+Field file_field(std::string path, std::string expected, std::string summary, Get get) {
+    return {std::move(path),
+            std::move(expected),
+            std::move(summary),
+            false,
+            [get](MachineDescription& machine, const Value& value, const Locator& locator) {
+                const std::string& name = scalar_text(value);
+                const auto found = locator.find(name, value.where.source, {});
+                if (!found) {
+                    throw std::invalid_argument("no such file (looked in " +
+                                                Locator::places(value.where.source, {}) + ")");
+                }
+                get(machine) = FileReference{name, *found};
+            },
+            [get](const MachineDescription& machine) {
+                const auto& file = get(machine);
+                return file ? yaml_scalar(file->path.string()) : std::string();
+            }};
 }
 
 template <typename Get>

@@ -339,6 +339,11 @@ std::vector<Field> machine_fields() {
     fields.push_back(count_field(
         "screen.height", "pixels", 1, 4096,
         [](auto& machine) -> auto& { return machine.screen.height; }));
+    fields.push_back(file_field(
+        "screen.map", "a file of rectangles (.map)",
+        "which lane of an array draws which column of the program's screen, where not "
+        "lane i column i; looked for beside the configuration",
+        [](auto& machine) -> auto& { return machine.screen.map; }));
     add_scene_fields(fields);
     fields.push_back(count_field(
         "run.frames", "frames to draw", 1, 100000,

@@ -49,24 +49,11 @@ Field object_field() {
 }
 
 Field model_field() {
-    return {"scene.model",
-            "a mesh file",
-            "what a polygon scene shows in place of its own shuttle; looked for beside the "
-            "configuration",
-            false,
-            [](MachineDescription& machine, const Value& value, const Locator& locator) {
-                const std::string& name = scalar_text(value);
-                const auto found = locator.find(name, value.where.source, {});
-                if (!found) {
-                    throw std::invalid_argument("no such file (looked in " +
-                                                Locator::places(value.where.source, {}) + ")");
-                }
-                scene_of(machine).model = FileReference{name, *found};
-            },
-            [](const MachineDescription& machine) {
-                const auto& model = scene_of(machine).model;
-                return model ? yaml_scalar(model->path.string()) : std::string();
-            }};
+    return file_field(
+        "scene.model", "a mesh file",
+        "what a polygon scene shows in place of its own shuttle; looked for beside "
+        "the configuration",
+        [](auto& m) -> auto& { return scene_of(m).model; });
 }
 
 void read_texture(MachineDescription& machine, const Value& value, const Locator& locator) {

@@ -6,6 +6,7 @@
 #include "machine/host/triangle_texture.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,10 +26,30 @@ constexpr std::uint16_t kMatrixMarker = 0x8000;
 PrincetonJob::PrincetonJob(const Blueprint& blueprint)
     : description_(blueprint.description), image_(*blueprint.image) {
     const host::TriangleView screen = by_symbols([&] { return program_view(image_); });
-    columns_ =
-        columns_as_lanes(static_cast<std::int64_t>(blueprint.topology.nodes.size()), screen.width);
+    columns_ = make_columns(static_cast<std::int64_t>(blueprint.topology.nodes.size()), screen);
     check_screen("screen.width", description_.screen.width, screen.width);
     check_screen("screen.height", description_.screen.height, screen.height);
+}
+
+ColumnMap PrincetonJob::make_columns(std::int64_t lanes, const host::TriangleView& screen) const {
+    const ColumnMap usual = columns_as_lanes(lanes, screen.width);
+    if (!description_.screen.map) {
+        return usual;
+    }
+    const config::FileReference& file = *description_.screen.map;
+    const int width = static_cast<int>(std::min<std::int64_t>(screen.width, lanes));
+    try {
+        ColumnMap columns = columns_of_map(topology::region_map_file(
+            file.path.string(), width, screen.height, static_cast<topology::RegionIndex>(lanes)));
+        if (columns != usual && !takes_any_columns(image_)) {
+            throw std::invalid_argument(
+                "this program looks for column i on lane i, expected such a map, or sort-middle "
+                "with dense 0 and no stride");
+        }
+        return columns;
+    } catch (const std::exception& problem) {
+        throw description_.error("screen.map", {}, problem.what());
+    }
 }
 
 void PrincetonJob::check_communication(Machine& machine) {

@@ -49,6 +49,7 @@ class PrincetonJob : public HostJob {
     }
 
   private:
+    ColumnMap make_columns(std::int64_t lanes, const host::TriangleView& screen) const;
     void check_screen(const char* key, std::int64_t asked, int most) const;
 
     const config::MachineDescription& description_;

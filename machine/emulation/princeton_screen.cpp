@@ -32,6 +32,30 @@ ColumnMap columns_as_lanes(std::int64_t lanes, std::int64_t columns) {
     return map;
 }
 
+ColumnMap columns_of_map(const topology::RegionMap& map) {
+    ColumnMap columns(map.regions());
+    for (topology::RegionIndex lane = 0; lane < map.regions(); ++lane) {
+        const auto& rectangles = map.rectangles_of(lane);
+        if (rectangles.empty())
+            continue;
+        const topology::PixelBox& box = rectangles.front();
+        if (rectangles.size() > 1 || box.x0 != box.x1 || box.y0 != 0 || box.y1 != map.height() - 1)
+            throw std::invalid_argument(
+                fmt::format("the screen map gives lane {} {} ({},{}) ({},{}), expected one whole "
+                            "column of {} rows, or nothing",
+                            lane, rectangles.size() > 1 ? "more than" : "a rectangle", box.x0,
+                            box.y0, box.x1, box.y1, map.height()));
+        columns[lane] = static_cast<std::uint16_t>(box.x0);
+    }
+    return columns;
+}
+
+// Sort-middle's sparse ring: all the way round, and each lane looks for its own column.
+bool takes_any_columns(const isa::Image& image) {
+    return !image.symbol("kRegion") && image.symbol("sort_first").value_or(0) == 0 &&
+           require_symbol(image, "dense") == 0 && require_symbol(image, "stride") <= 1;
+}
+
 void check_columns(const ColumnMap& map, std::int64_t lanes, std::int64_t columns) {
     if (static_cast<std::int64_t>(map.size()) != lanes)
         throw std::invalid_argument(

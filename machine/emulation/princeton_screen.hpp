@@ -4,6 +4,7 @@
 
 #include "isa/image.hpp"
 #include "machine/host/triangle_view.hpp"
+#include "topologies/region_map.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -24,6 +25,14 @@ using ColumnMap = std::vector<std::optional<std::uint16_t>>;
 
 // Lane i draws column i.
 ColumnMap columns_as_lanes(std::int64_t lanes, std::int64_t columns);
+
+// Region i is lane i's. Throws std::invalid_argument for a lane that has anything else than one
+// whole column or nothing.
+ColumnMap columns_of_map(const topology::RegionMap& map);
+
+// Whether the program finds its lanes whatever columns they draw: others look for column i on lane
+// i only. Throws std::invalid_argument when the image lacks a symbol.
+bool takes_any_columns(const isa::Image& image);
 
 // Each of the columns once; on fewer lanes than that the screen has as many columns as lanes.
 // Throws std::invalid_argument, saying what is wrong and what was expected.

@@ -52,6 +52,9 @@ void add_files(Hash& hash, const config::MachineDescription& machine) {
         file != machine.topology.parameters.end()) {
         hash.add_file(file->second);
     }
+    if (machine.screen.map) {
+        hash.add_file(machine.screen.map->path);
+    }
     if (machine.scene && machine.scene->mesh) {
         hash.add_file(*machine.scene->mesh);
     }

@@ -65,7 +65,7 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
             {"scene.size", "scene.scale", "scene.translate", "scene.vanishing_distance",
              "scene.ambient", "scene.background"});
     } else {
-        add("a lock-step array", {"scene.texture"});
+        add("a lock-step array", {"scene.texture", "screen.map"});
     }
     if (kind != SceneKind::object) {
         add("an object or mesh as the scene",

@@ -37,6 +37,12 @@ class PrincetonBoxes : public testing::Test {
         return path.string();
     }
 
+    std::string text_file(const std::string& name, const std::string& text) const {
+        const auto path = folder_.path() / name;
+        std::ofstream(path) << text;
+        return path.string();
+    }
+
     static config::MachineDescription machine(const std::string& scheme, const std::string& boxes,
                                               const std::string& symbols = {},
                                               const std::vector<std::string>& more = {}) {
@@ -115,6 +121,52 @@ TEST_F(PrincetonBoxes, TakeAsManyPassesAsTheModelSays) {
     EXPECT_GT(passes(", dense: 0"), 1.2 * passes(""));
 }
 
+// Column x, and 32 lanes without any, in an order of its own.
+std::string mixed_map() {
+    std::string text;
+    for (int x = 0; x < kWidth; ++x)
+        text += fmt::format("{} ({},0) ({},{})\n", (29 * x + 5) % static_cast<int>(kLanes), x, x,
+                            kHeight - 1);
+    return text;
+}
+
+TEST_F(PrincetonBoxes, AreDrawnByLanesOfAnyColumnsOnTheSparseRing) {
+    RunOptions options;
+    options.reference_pictures = true;
+    for (const char* symbols : {", dense: 0", ", dense: 0, duplication: 4"}) {
+        const RunOutcome found =
+            run_machine(machine("sort-middle", file(random_boxes(600)), symbols,
+                                {"screen.map=" + text_file("mixed.map", mixed_map())}),
+                        options);
+        ASSERT_EQ(found.failure, "");
+        EXPECT_TRUE(found.pictures == found.references);
+    }
+}
+
+TEST_F(PrincetonBoxes, AreRefusedByAScreenMapThatMakesNoSense) {
+    const auto said = [&](const std::string& map, const std::string& symbols = ", dense: 0") {
+        return complaint(machine("sort-middle", file(random_boxes(1)), symbols,
+                                 {"screen.map=" + text_file("bad.map", map)}));
+    };
+    const std::string usual = region_map_as_text(topology::column_map(kWidth, kHeight, kLanes));
+    EXPECT_EQ(said(usual, ""), "");
+    EXPECT_THAT(said(mixed_map(), ""), HasSubstr("screen.map: this program looks for column i on "
+                                                 "lane i, expected such a map, or sort-middle with "
+                                                 "dense 0 and no stride"));
+    EXPECT_THAT(said(usual + "127 (3,0) (3,63)\n"),
+                HasSubstr("bad.map:97: pixel (3,0) is given to processor 127, but line 4 has given "
+                          "it to processor 3"));
+    EXPECT_THAT(said(usual.substr(usual.find('\n') + 1)),
+                HasSubstr("bad.map: pixel (0,0) is given to no processor"));
+    EXPECT_THAT(said("7 (0,0) (95,63)\n"),
+                HasSubstr("gives lane 7 a rectangle (0,0) (95,63), expected one whole column of 64 "
+                          "rows, or nothing"));
+    EXPECT_THAT(said("7 (0,0) (95,63\n"), HasSubstr("bad.map:1:"));
+    EXPECT_THAT(
+        complaint(shipped("geodesic482.yaml", {"screen.map=" + text_file("usual.map", usual)})),
+        HasSubstr("screen.map: has no effect here"));
+}
+
 TEST_F(PrincetonBoxes, AreRefusedWithWhereWhatAndWhatWasExpected) {
     EXPECT_THAT(complaint(machine("sort-first", file(random_boxes(10)))),
                 HasSubstr("bounding boxes are no scene for sort-first"));
@@ -128,10 +180,8 @@ TEST_F(PrincetonBoxes, AreRefusedWithWhereWhatAndWhatWasExpected) {
     EXPECT_THAT(complaint(machine("sort-middle",
                                   file(std::vector<host::BoundingBox>(700, {true, {5, 0, 5, 0}})))),
                 HasSubstr("the program has halted: lane 5: the receive array is full"));
-    const auto malformed = folder_.path() / "malformed.boxes";
-    std::ofstream(malformed) << "NumPolygons=1\n2 (0,0) (1,1)\n";
-    EXPECT_THAT(complaint(machine("sort-middle", malformed.string())),
-                HasSubstr("malformed.boxes:2:"));
+    const auto malformed = text_file("malformed.boxes", "NumPolygons=1\n2 (0,0) (1,1)\n");
+    EXPECT_THAT(complaint(machine("sort-middle", malformed)), HasSubstr("malformed.boxes:2:"));
     EXPECT_THAT(
         complaint(shipped("geodesic482.yaml", {"scene={object: " + file(random_boxes(1)) + "}"})),
         HasSubstr("is made of bounding boxes"));
