@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 
+#include <hwy/cache_control.h>
+
 // Highway includes this file again for each instruction set; the order matters.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
@@ -124,6 +126,29 @@ HWY_INLINE void store_at(LaneBlock& block, const std::uint16_t* src, std::uint32
     }
 }
 
+// Where lanes that share cache lines of the host go through words near each other, upwards or
+// downwards, the first at a new one is at one end of them: asks the host's memory ahead of it.
+HWY_INLINE void fetch_ahead(const LaneBlock& block, const std::uint16_t* words, std::size_t stride,
+                            const Addresses& addresses) {
+    constexpr std::size_t kTogether = 32;  // lanes
+    constexpr std::ptrdiff_t kAhead = 8;   // words of a lane
+    const auto step = static_cast<std::ptrdiff_t>(stride) * kAhead;
+    for (std::size_t first = 0; first < block.width; first += kTogether) {
+        const std::size_t last = first + kTogether - 1;
+        const int span = addresses.of[last] - addresses.of[first];
+        if (span >= 2 * static_cast<int>(kTogether) || -span >= 2 * static_cast<int>(kTogether)) {
+            continue;
+        }
+        for (const std::size_t lane : {first, last}) {
+            const std::uint16_t* const word =
+                words + static_cast<std::size_t>(addresses.of[lane] - addresses.least) * stride +
+                lane;
+            hwy::Prefetch(word + step);
+            hwy::Prefetch(word - step);
+        }
+    }
+}
+
 // do_word(lane, word of memory) for every lane (that is awake) at its own address.
 template <bool kMasked, class DoWord>
 HWY_INLINE void each_word(LaneBlock& block, std::uint32_t bank, const Addresses& addresses,
@@ -153,6 +178,7 @@ HWY_INLINE void each_word(LaneBlock& block, std::uint32_t bank, const Addresses&
             do_word(lane, words[addresses.of[lane] - least + lane * view.lane_stride]);
         });
     } else {
+        fetch_ahead(block, words, view.address_stride, addresses);
         each_lane<kMasked>(block, [&](std::size_t lane) HWY_ATTR {
             do_word(lane, words[(addresses.of[lane] - least) * view.address_stride + lane]);
         });
