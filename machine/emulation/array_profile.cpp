@@ -5,7 +5,6 @@
 #include "machine/observe/figures.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -100,14 +99,10 @@ ArrayReport gather_array(const Blueprint& blueprint, const LockstepMachine& lock
     for (std::size_t phase = 0; phase < statistics.phases.size(); ++phase) {
         const LockstepStatistics::Phase& part = statistics.phases[phase];
         const std::int64_t all = part.cycles * report.lanes;
-        const double time =
-            observe::seconds(settings.clock.edge(Cycles(part.cycles)).since_start());
-        const double wall = std::chrono::duration<double>(part.wall).count();
         report.phases.push_back(
             {static_cast<std::int64_t>(phase),
              {part.cycles, part.bundles, part.operations},
-             all > 0 ? static_cast<double>(part.lane_cycles) / static_cast<double>(all) : 0,
-             wall > 0 ? time / wall : 0});
+             all > 0 ? static_cast<double>(part.lane_cycles) / static_cast<double>(all) : 0});
     }
     for (std::size_t at = 0; at < bundles.size(); ++at) {
         const Bundle::Communication& comm = bundles[at].comm;

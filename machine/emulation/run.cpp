@@ -10,6 +10,7 @@
 #include "machine/emulation/observers.hpp"
 #include "machine/emulation/path_collector.hpp"
 #include "machine/emulation/path_lines.hpp"
+#include "machine/emulation/phase_stopwatch.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/report.hpp"
 #include "machine/emulation/slices.hpp"
@@ -236,10 +237,17 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
         tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
     }
 
+    std::optional<PhaseStopwatch> stopwatch;
+    if (machine.lockstep() != nullptr) {
+        stopwatch.emplace(*machine.lockstep());
+    }
     const auto start = WallClock::now();
     const RunResult result =
         run_in_slices(machine.simulation(), Time::zero() + description.run.max_time,
                       observers.slice(), [&](Time now) {
+                          if (stopwatch) {
+                              stopwatch->stand();
+                          }
                           observers.catch_up(now);
                           if (collector) {
                               collector->collect();
@@ -247,12 +255,18 @@ RunOutcome run_machine(const MachineDescription& description, const RunOptions& 
                           if (options.progress) {
                               tell_progress(options, machine, description, now);
                           }
+                          if (stopwatch) {
+                              stopwatch->go();
+                          }
                       });
     observers.finish();
     outcome.wall_seconds = seconds_since(start);
 
     outcome.failure = failure_of(result, description, machine);
     outcome.report = gather_report(blueprint, machine, phases, result.time);
+    if (stopwatch) {
+        stopwatch->tell(outcome.report);
+    }
     if (paths) {
         outcome.report.paths = paths->finish(names, outcome.report.phases);
         if (options.bottlenecks && outcome.failure.empty()) {

@@ -55,7 +55,7 @@ PhaseRecord LockstepBooks::next_phase(int phase, std::int64_t cycle, EventId end
     ended.ended = clock_.edge(Cycles(cycle));
     ended.ended_by = ended_by;
     const LockstepStatistics::Phase totals{executed_cycles_, array_.bundles_executed(),
-                                           array_.operations_executed(), 0, wall_};
+                                           array_.operations_executed(), 0};
     const std::int64_t bundles = totals.bundles - totals_.bundles;
     const auto index = static_cast<std::size_t>(ended.phase);
     statistics_.phases.resize(std::max(statistics_.phases.size(), index + 1));
@@ -63,7 +63,6 @@ PhaseRecord LockstepBooks::next_phase(int phase, std::int64_t cycle, EventId end
     counted.cycles += totals.cycles - totals_.cycles;
     counted.bundles += bundles;
     counted.operations += totals.operations - totals_.operations;
-    counted.wall += totals.wall - totals_.wall;
     for (std::int64_t lane = 0; lane < array_.lanes(); ++lane) {
         const std::int64_t before = lanes_[static_cast<std::size_t>(lane)].cycles;
         book_lane(lane, ended, bundles, lanes);

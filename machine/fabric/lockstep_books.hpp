@@ -11,7 +11,6 @@
 #include "machine/node/node_listener.hpp"
 #include "machine/node/node_statistics.hpp"
 
-#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -24,8 +23,6 @@ struct LockstepStatistics {
         std::int64_t bundles = 0;
         std::int64_t operations = 0;   // slots that did something, counted once for all lanes
         std::int64_t lane_cycles = 0;  // executed by lanes that were awake
-        std::chrono::nanoseconds
-            wall{};  // that the host took for it; the one figure that it alters
     };
     std::vector<Phase> phases;     // [phase of the frame], over all frames
     std::int64_t idle_cycles = 0;  // between `line` and the next scanline
@@ -43,10 +40,7 @@ class LockstepBooks {
     LockstepBooks(const LockstepArray& array, const Clock& clock);
 
     void begin_scanline() { ++statistics_.scanlines; }
-    void executed(std::int64_t cycles, std::chrono::nanoseconds wall) {
-        executed_cycles_ += cycles;
-        wall_ += wall;
-    }
+    void executed(std::int64_t cycles) { executed_cycles_ += cycles; }
     void idle(std::int64_t cycles) { statistics_.idle_cycles += cycles; }
     // From the clock's edge `cycle` on the sequencer is in this state.
     void enter(PartState state, std::int64_t cycle);
@@ -75,7 +69,6 @@ class LockstepBooks {
     std::int64_t executed_cycles_ = 0;
     PartState state_ = PartState::idle;
     Time entered_;
-    std::chrono::nanoseconds wall_{};
     LockstepStatistics::Phase totals_;   // when it began
     std::vector<std::int64_t> awake_;    // [lane], likewise
     std::vector<std::int64_t> profile_;  // when the frame began

@@ -4,7 +4,6 @@
 #include "machine/fabric/lockstep_error.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -76,10 +75,9 @@ void LockstepMachine::begin_line() {
 // Up to the next thing that concerns the machine; what that is to have happened at its time.
 void LockstepMachine::run() {
     enter(PartState::busy);
-    const auto before = std::chrono::steady_clock::now();
     stop_ = array_.run(settings_.line_locked ? line_end_ - cycle_ : kSlice);
     cycle_ += stop_.cycles;
-    books_.executed(stop_.cycles, std::chrono::steady_clock::now() - before);
+    books_.executed(stop_.cycles);
     if (settings_.line_locked && stop_.reason == Reason::line && cycle_ < line_end_) {
         enter(PartState::blocked);
         books_.idle(line_end_ - std::exchange(cycle_, line_end_));
