@@ -122,7 +122,7 @@ bool LockstepMachine::goes_on() {
 }
 
 bool LockstepMachine::change_phase() {
-    if (inspector_) {
+    if (inspector_ && phase().frame < settings_.frames) {
         if (const std::string wrong = inspector_(phase(), stop_.phase); !wrong.empty()) {
             return fail(stopped_at(), fmt::format("frame {}: {}", phase().frame, wrong));
         }

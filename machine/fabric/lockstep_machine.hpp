@@ -59,7 +59,7 @@ class LockstepMachine final : public Component {
     void send(std::vector<std::uint16_t> integers) { sent_ = std::move(integers); }
 
     // Is asked when `ending` is over, before a bundle of the phase `next` is executed; what it
-    // says is wrong makes the run fail.
+    // says is wrong makes the run fail. Not after the last frame, whose phases count no more.
     using Inspector = std::function<std::string(const PhaseRecord& ending, int next)>;
     void inspect(Inspector inspector) { inspector_ = std::move(inspector); }
 

@@ -232,6 +232,29 @@ TEST(LockstepMachine, RefusesAPictureBeforeTheOneBeforeHasBeenShown) {
                                        "picture 0 yet"));
 }
 
+TEST(LockstepMachine, AsksItsInspectorWhenPhasesChangeUpToTheLastFrame) {
+    Machine m(
+        " callp\n"
+        "begin: setp draw\n"
+        " line\n"
+        "draw: phase 1\n"
+        " frame\n"
+        " setp rest\n"
+        "rest: phase 2\n"
+        " phase 1\n"
+        " line\n"
+        " .end begin\n",
+        small());
+    std::vector<std::pair<int, int>> asked;
+    m.machine->inspect([&asked](const PhaseRecord& ending, int next) {
+        asked.emplace_back(ending.phase, next);
+        return std::string();
+    });
+    EXPECT_EQ(m.run().end, RunEnd::finished);
+    EXPECT_EQ(m.machine->pictures_shown(), 1);
+    EXPECT_THAT(asked, ElementsAre(std::pair(0, 1)));
+}
+
 // Phase 1 lasts 7 cycles, of which lanes 2 and 3 are awake in the first and the last.
 constexpr const char* kPhases =
     " ld r1, 1\n"
