@@ -99,6 +99,11 @@ PrincetonRecord PrincetonRecords::record(const LockstepArray& array, std::int64_
     }
     const auto& box = record.box.box;
     record.box.is_visible = box.x0 <= box.x1 && box.y0 <= box.y1;
+    if (are_homes_ && record.box.is_visible && (box.x0 < 0 || box.x0 >= array.lanes()))
+        throw std::invalid_argument(
+            fmt::format("lane {}: a visible polygon at address {:#x} begins in column {}, expected "
+                        "0 to {}",
+                        lane, address, box.x0, array.lanes() - 1));
     return record;
 }
 

@@ -26,13 +26,13 @@ struct PrincetonRecord {
 using LaneRecords = std::vector<PrincetonRecord>;
 
 // By an image's symbols. Its functions throw std::invalid_argument when it lacks one, and for a
-// list that is no list: addresses where no memory is, an end before the beginning.
+// list that is no list: addresses where no memory is, an end before the beginning; and for a home
+// that is nobody's: a visible polygon whose left column no lane has.
 class PrincetonRecords {
   public:
     // The image must outlive it.
     explicit PrincetonRecords(const isa::Image& image);
 
-    bool are_homes() const { return are_homes_; }
     // Before distribution begins, in the order in which they are sent.
     LaneRecords to_be_sent(const LockstepArray& array, std::int64_t lane) const;
     // When it has ended: what the lane draws.

@@ -86,6 +86,14 @@ class AtEndOf {
         lanes_.array().read(lane, address, words);
         return words;
     }
+    void set(std::int64_t lane, std::uint32_t address, std::uint16_t value) {
+        lanes_.array().write(lane, address, std::vector<std::uint16_t>{value});
+    }
+    std::string said_before(const char* phase) {
+        return check_.phase_ended(
+            lanes_.array(), 0,
+            static_cast<int>(symbol(fmt::format("phase_name_{}", phase).c_str())));
+    }
     void spoil(std::int64_t lane, std::uint32_t address) {
         std::vector<std::uint16_t> changed = words(lane, address);
         changed.at(20) ^= 1;
@@ -215,6 +223,16 @@ TEST(PrincetonCheckOfMigration, FindsAPolygonThatIsNotInItsLeftColumn) {
     EXPECT_THAT(at.said(),
                 StartsWith(fmt::format("migration: lane {} has what it does not need: polygon ",
                                        lane + 1)));
+}
+
+TEST(PrincetonCheckOfMigration, RefusesAHomeInAColumnThatNoLaneHas) {
+    AtEndOf at("migrate", "sort_first.s");
+    const auto [lane, address] = at.narrow_one();
+    at.set(lane, address + at.symbol("h_left"), 0xffff);
+    EXPECT_EQ(at.said_before("migrate"),
+              fmt::format("communication: lane {}: a visible polygon at address {:#x} begins in "
+                          "column -1, expected 0 to {}",
+                          lane, address, kLanes - 1));
 }
 
 INSTANTIATE_TEST_SUITE_P(
