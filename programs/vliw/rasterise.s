@@ -10,9 +10,6 @@
 raster_next = other_scratch+7       ; next descriptor to be taken
 raster_at   = other_scratch+8       ; 19 words
 
-        .if ne samples&1
-        .error  samples must be even
-        .endc
         .if ne textured
 kRounds     = 2
         .else
@@ -92,6 +89,18 @@ at = at+1
         wake
         .endm
 
+; T := the lane has something left to draw.
+        .macro  anything_left
+        ld      r16, raster_next
+        ld      r17, received_end
+        tltu    pixel, pixels
+        tltu.or r16, r17
+        .endm
+
+        .macro  rasterised
+        setp    finish
+        .endm
+
 rasterise:
         wake
         phase   4
@@ -105,36 +114,4 @@ rasterise:
         setp    rasterise_some
         line
 
-rasterise_some:
-        wake
-        raster_words ld
-        .if ne line_locked
-        setc    c5, kRounds
-        .endc
-rasterise_round:
-        .if eq decoupled
-        tltu    pixel, pixels
-        bor     rasterise_rows
-        .endc
-        advance
-rasterise_rows:
-        .rept   samples/2
-        sample  inside0, inside1
-        sample  inside1, inside0
-        .endr
-        .if ne line_locked
-        dec     c5, rasterise_round
-        .endc
-        ld      r16, raster_next
-        ld      r17, received_end
-        tltu    pixel, pixels
-        tltu.or r16, r17
-        .if ne line_locked
-        bor     rasterise_save
-        .else
-        bor     rasterise_round
-        .endc
-        setp    finish
-rasterise_save:
-        raster_words st
-        line
+        .include "raster_loop.s"

@@ -14,9 +14,6 @@ raster_top  = other_scratch+29          ; address of the column's first row
 raster_rows = other_scratch+30          ; its rows in this band
 fragments_end = other_scratch+31        ; behind the list of drawn pixels
 
-        .if ne samples&1
-        .error  samples must be even
-        .endc
         .if ne textured&<1-deferred>
 kRounds     = 1
         .else
@@ -184,6 +181,25 @@ raster_list = wanted
 raster_list_end = wanted_end
         .endc
 
+; T := the lane has something left to draw.
+        .macro  anything_left
+        ld      r16, raster_next
+        ld      r17, raster_list_end
+        ld      r22, raster_columns
+        tltu    pixel, pixels
+        tltu.or r16, r17
+        tne.or  r22, r0
+        .endm
+
+        .macro  advance
+        advance_descriptor
+        advance_column
+        .endm
+
+        .macro  rasterised
+        setp    composite
+        .endm
+
 rasterise:
         wake
         phase   4
@@ -200,39 +216,4 @@ rasterise:
         setp    rasterise_some
         line
 
-rasterise_some:
-        wake
-        raster_words ld
-        .if ne line_locked
-        setc    c5, kRounds
-        .endc
-rasterise_round:
-        .if eq decoupled
-        tltu    pixel, pixels
-        bor     rasterise_rows
-        .endc
-        advance_descriptor
-        advance_column
-rasterise_rows:
-        .rept   samples/2
-        sample  inside0, inside1
-        sample  inside1, inside0
-        .endr
-        .if ne line_locked
-        dec     c5, rasterise_round
-        .endc
-        ld      r16, raster_next
-        ld      r17, raster_list_end
-        ld      r22, raster_columns
-        tltu    pixel, pixels
-        tltu.or r16, r17
-        tne.or  r22, r0
-        .if ne line_locked
-        bor     rasterise_save
-        .else
-        bor     rasterise_round
-        .endc
-        setp    composite
-rasterise_save:
-        raster_words st
-        line
+        .include "raster_loop.s"
