@@ -105,10 +105,6 @@ Boxes random_boxes(int lanes, int most, int widest, std::uint32_t seed) {
     return boxes;
 }
 
-int passes(const VliwRenderer& renderer, std::string_view counter) {
-    return renderer.read(0, counter) + (renderer.read(0, counter, 1) << 16);
-}
-
 void expect_all_where_wanted(const Boxes& boxes, const Defines& options, Form form) {
     VliwRenderer renderer = renderer_with(boxes, options, form);
     ASSERT_TRUE(renderer.run());
@@ -165,7 +161,7 @@ TEST_P(VliwCommunication, LeavesOutWhatCoversNoSample) {
     boxes[3] = {{5, 4, 0, 0}};
     VliwRenderer renderer = renderer_with(boxes, options(), GetParam().form);
     ASSERT_TRUE(renderer.run());
-    EXPECT_EQ(passes(renderer, "near_passes") + passes(renderer, "far_passes"), 0);
+    EXPECT_EQ(renderer.passes("near_passes") + renderer.passes("far_passes"), 0);
     boxes[3] = {{5, 4, 0, 0}, {5, 6, 2, 1}, {7, 7, 0, 0}};
     expect_all_where_wanted(boxes, options(), GetParam().form);
 }
@@ -214,20 +210,20 @@ Boxes figure_a6() {
 TEST(VliwPasses, DenseEndAtTheLastDestination) {
     VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 1}, {"stride", 1}});
     renderer.run();
-    EXPECT_EQ(passes(renderer, "near_passes"), 9);
+    EXPECT_EQ(renderer.passes("near_passes"), 9);
 }
 
 TEST(VliwPasses, SparseGoAllTheWayRound) {
     VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 0}, {"stride", 1}});
     renderer.run();
-    EXPECT_EQ(passes(renderer, "near_passes"), 16);
+    EXPECT_EQ(renderer.passes("near_passes"), 16);
 }
 
 TEST(VliwPasses, DistributedGoByStridesThenByOnes) {
     VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 1}, {"stride", 4}});
     renderer.run();
-    EXPECT_EQ(passes(renderer, "far_passes"), 2) << "to lanes 5 and 9";
-    EXPECT_EQ(passes(renderer, "near_passes"), 4) << "from 5 to 8 and 9, from 9 to 10";
+    EXPECT_EQ(renderer.passes("far_passes"), 2) << "to lanes 5 and 9";
+    EXPECT_EQ(renderer.passes("near_passes"), 4) << "from 5 to 8 and 9, from 9 to 10";
 }
 
 TEST(VliwPasses, DistributedDoNotGoFarWhereAllDestinationsAreNear) {
@@ -237,8 +233,8 @@ TEST(VliwPasses, DistributedDoNotGoFarWhereAllDestinationsAreNear) {
         boxes[14] = {{0, 2, 0, 0}};
         VliwRenderer renderer = renderer_with(boxes, {{"dense", dense}, {"stride", 4}});
         renderer.run();
-        EXPECT_EQ(passes(renderer, "far_passes"), 0);
-        EXPECT_LE(passes(renderer, "near_passes"), 8);
+        EXPECT_EQ(renderer.passes("far_passes"), 0);
+        EXPECT_LE(renderer.passes("near_passes"), 8);
     }
 }
 
@@ -246,7 +242,7 @@ TEST(VliwPasses, AreFiveOnAScanlineOfALineLockedMachine) {
     VliwRenderer renderer = renderer_with(figure_a6(), {{"dense", 0}, {"line_locked", 1}});
     int most = 0;
     for (int before = 0; renderer.run_scanline() == Ended::line;) {
-        const int now = passes(renderer, "near_passes");
+        const int now = renderer.passes("near_passes");
         most = std::max(most, now - before);
         before = now;
     }

@@ -116,10 +116,6 @@ Boxes any_boxes(int lanes) {
     return boxes;
 }
 
-int passes(const VliwRenderer& renderer) {
-    return renderer.read(0, "near_passes") + (renderer.read(0, "near_passes", 1) << 16);
-}
-
 RC_GTEST_PROP(VliwRegions, GetEveryDescriptorOfTheirsOnceAndNoOther, ()) {
     const int group = *rc::gen::element(1, 2, 3, 4, 5, 7, 12, 16);
     const int members = *rc::gen::inRange(1, 4);
@@ -152,7 +148,7 @@ int passes_from_lane_1(const Box& box, int dense) {
     boxes[1] = {box};
     VliwRenderer renderer = renderer_with(boxes, {{"group", 4}, {"dense", dense}});
     renderer.run();
-    return passes(renderer);
+    return renderer.passes("near_passes");
 }
 
 TEST(VliwRegionPasses, EndAtTheLastRegion) {

@@ -145,6 +145,10 @@ std::uint16_t VliwRenderer::read(std::int64_t lane, std::string_view name, int o
     return read(lane, static_cast<std::uint32_t>(symbol(name) + offset));
 }
 
+int VliwRenderer::passes(std::string_view counter) const {
+    return read(0, counter) + (read(0, counter, 1) << 16);
+}
+
 void VliwRenderer::write(std::int64_t lane, std::uint32_t address,
                          std::span<const std::uint16_t> words) {
     machine_.write(lane, address, words);
@@ -153,6 +157,15 @@ void VliwRenderer::write(std::int64_t lane, std::uint32_t address,
 void VliwRenderer::write(std::int64_t lane, std::string_view name, int value) {
     const std::array word = {static_cast<std::uint16_t>(value)};
     write(lane, symbol(name), word);
+}
+
+std::string complaint_about(std::string_view file, const Defines& options) {
+    try {
+        const VliwRenderer renderer(file, options, 1);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
 }
 
 }  // namespace rasterloom::test

@@ -56,6 +56,8 @@ class VliwRenderer {
     Cost cost(std::string_view from_label, std::string_view to_label) const;
     std::uint16_t read(std::int64_t lane, std::uint32_t address) const;
     std::uint16_t read(std::int64_t lane, std::string_view name, int offset = 0) const;
+    // A counter of 32 bits that is the same on all lanes, such as near_passes.
+    int passes(std::string_view counter) const;
     void write(std::int64_t lane, std::uint32_t address, std::span<const std::uint16_t> words);
     void write(std::int64_t lane, std::string_view name, int value);
 
@@ -83,5 +85,8 @@ class VliwRenderer {
     std::int64_t cycles_ = 0;  // of the present scanline
     std::int64_t longest_ = 0;
 };
+
+// What the assembler says about a whole program with these options; empty: nothing.
+std::string complaint_about(std::string_view file, const Defines& options);
 
 }  // namespace rasterloom::test

@@ -84,10 +84,6 @@ std::vector<Placed> homes_of(const VliwRenderer& renderer) {
     return listed(renderer, "homes", "home_end");
 }
 
-int passes(const VliwRenderer& renderer, std::string_view counter) {
-    return renderer.read(0, counter) + (renderer.read(0, counter, 1) << 16);
-}
-
 // Every polygon on every lane that needs it, none on one that does not, none twice.
 void expect_all_where_wanted(const VliwRenderer& renderer) {
     std::vector<Placed> wanted;
@@ -207,13 +203,13 @@ TEST(VliwSortFirstPasses, AreTheWidthsOnlyWhereNothingMoves) {
     VliwRenderer without = sort_first(scene, {48, {{"migrate", 0}}});
     renderer.run();
     without.run();
-    EXPECT_GT(passes(renderer, "migration_passes"), 0);
-    const int first = passes(without, "near_passes");
+    EXPECT_GT(renderer.passes("migration_passes"), 0);
+    const int first = without.passes("near_passes");
     renderer.run();
     without.run();
-    EXPECT_EQ(passes(renderer, "migration_passes"), 0);
-    EXPECT_EQ(passes(without, "near_passes"), first);
-    EXPECT_LT(2 * passes(renderer, "near_passes"), first);
+    EXPECT_EQ(renderer.passes("migration_passes"), 0);
+    EXPECT_EQ(without.passes("near_passes"), first);
+    EXPECT_LT(2 * renderer.passes("near_passes"), first);
 }
 
 TEST(VliwSortFirstPasses, AreNoneWhereNothingIsVisible) {
@@ -222,8 +218,8 @@ TEST(VliwSortFirstPasses, AreNoneWhereNothingIsVisible) {
         renderer.write(lane, "near", 0x7fff);
     }
     ASSERT_FALSE(renderer.run());
-    EXPECT_EQ(passes(renderer, "near_passes"), 0);
-    EXPECT_EQ(passes(renderer, "migration_passes"), 0);
+    EXPECT_EQ(renderer.passes("near_passes"), 0);
+    EXPECT_EQ(renderer.passes("migration_passes"), 0);
 }
 
 TEST(VliwSortFirstPasses, BringAHomeTheShorterWay) {
@@ -235,8 +231,8 @@ TEST(VliwSortFirstPasses, BringAHomeTheShorterWay) {
         turn_scene(renderer, degrees);
         ASSERT_FALSE(renderer.run());
         EXPECT_NE(home().lane, before);
-        EXPECT_EQ(passes(renderer, "migration_passes"), std::abs(home().lane - before));
-        EXPECT_EQ(passes(renderer, "near_passes"), home().right - home().left);
+        EXPECT_EQ(renderer.passes("migration_passes"), std::abs(home().lane - before));
+        EXPECT_EQ(renderer.passes("near_passes"), home().right - home().left);
     }
 }
 
@@ -250,7 +246,7 @@ TEST(VliwSortFirstPasses, AreTheSamePackedAndAsWritten) {
             ASSERT_FALSE(renderer->run());
         }
         for (const std::string_view counter : {"near_passes", "migration_passes"}) {
-            EXPECT_EQ(passes(packed, counter), passes(written, counter)) << counter;
+            EXPECT_EQ(packed.passes(counter), written.passes(counter)) << counter;
         }
         EXPECT_EQ(homes_of(packed), homes_of(written));
         EXPECT_LT(packed.bundles(6), written.bundles(6));
@@ -304,7 +300,7 @@ TEST(VliwSortFirstErrors, NameOptionsThatCannotBe) {
 TEST(VliwSortFirstErrors, LeaveAnEmptyRingAlone) {
     VliwRenderer renderer = sort_first({}, {});
     EXPECT_FALSE(renderer.run());
-    EXPECT_EQ(passes(renderer, "near_passes"), 0);
+    EXPECT_EQ(renderer.passes("near_passes"), 0);
     EXPECT_EQ(shown_picture(renderer), ScreenPicture(48 * 64));
 }
 
