@@ -29,7 +29,8 @@ TEST(FabricKeys, AreReadAndExported) {
         {"fabric={ideal: true, splitter: {time_per_vertex: 1us, input_fifo: 2, output_fifo: 3}, "
          "polygon_bus: {time_per_word: 100ns, input_fifo: 9}, processor_fifo: 5, frame_buffer: "
          "bus, "
-         "frame_buffer_bus: {time_per_pixel: 150ns}, latency: 2us, half_digested: true, digest_fifo: 6}",
+         "frame_buffer_bus: {time_per_pixel: 150ns}, latency: 2us, half_digested: true, "
+         "digest_fifo: 6}",
          "host={time_per_polygon: 0ns, time_per_vertex: 1us, order: shuffled, seed: 7}",
          "nodes.symbols={full: 0, limit: -3}",
          "scene={object: random_polygons, polygons: 12, seed: 3, background: 9}"});
@@ -54,6 +55,10 @@ struct Bad {
     const char* change;
     const char* complaint;
 };
+
+void PrintTo(const Bad& bad, std::ostream* stream) {
+    *stream << bad.change;
+}
 
 class BadFabricKey : public testing::TestWithParam<Bad> {};
 

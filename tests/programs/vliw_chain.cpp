@@ -150,6 +150,14 @@ ScreenPixel pixel_at(const VliwRenderer& renderer, int lane, std::uint32_t at) {
 
 }  // namespace
 
+std::string name_of(int lanes, const Defines& options) {
+    std::string name = std::to_string(lanes) + " lanes";
+    for (const auto& [option, value] : options) {
+        name += ", " + option + " " + std::to_string(value);
+    }
+    return name;
+}
+
 std::vector<ScenePolygon> random_scene(int count, int size, std::uint32_t seed, ScreenSize screen) {
     Random random(seed);
     std::vector<ScenePolygon> scene;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct ScreenSize {
     int columns = 48;
     int rows = 64;
 };
+
+// Tests of the same renderer are called by its lanes and options: "12 lanes, group 4, textured 1".
+std::string name_of(int lanes, const Defines& options);
 
 // Polygons that face the viewer, up to `size` pixels wide and high, lit differently at each vertex;
 // every second one with a texture.

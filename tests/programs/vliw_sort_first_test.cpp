@@ -27,6 +27,16 @@ struct Case {
     int room = 0;  // homes of a lane; 0: as many as there is room for
 };
 
+void PrintTo(const Case& test, std::ostream* stream) {
+    *stream << name_of(test.lanes, test.options);
+    if (test.form == Form::as_written) {
+        *stream << ", as written";
+    }
+    if (test.room != 0) {
+        *stream << ", " << test.room << " homes";
+    }
+}
+
 VliwRenderer sort_first(const Scene& scene, const Case& test) {
     VliwRenderer renderer = chain_of("sort_first.s", scene, test.options, test.lanes, test.form);
     if (test.room != 0) {

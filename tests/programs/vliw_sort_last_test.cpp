@@ -16,6 +16,10 @@ struct Case {
     Defines options;
 };
 
+void PrintTo(const Case& test, std::ostream* stream) {
+    *stream << name_of(test.lanes, test.options);
+}
+
 class VliwSortLast : public ::testing::TestWithParam<Case> {};
 
 TEST_P(VliwSortLast, DrawsWhatSortMiddleDraws) {

@@ -17,6 +17,10 @@ struct Case {
     Defines options;
 };
 
+void PrintTo(const Case& test, std::ostream* stream) {
+    *stream << name_of(test.lanes, test.options);
+}
+
 ScreenPicture picture_of(const std::vector<ScenePolygon>& scene, const Case& test,
                          Form form = Form::packed) {
     VliwRenderer renderer = chain_of("sort_twice.s", scene, test.options, test.lanes, form);
