@@ -73,10 +73,11 @@ void check_scanlines(const Blueprint& blueprint) {
         throw machine.error("array.visible_lines", std::to_string(machine.array.visible_lines),
                             "the program's screen has fewer rows", fmt::format("at most {}", rows));
     }
-    if (machine.array.line_locked && image.symbol("unshown") && machine.array.lines <= rows) {
+    // finish.s goes on in a scanline below the picture that is followed by another.
+    if (machine.array.line_locked && image.symbol("unshown") && machine.array.lines < rows + 2) {
         throw machine.error("array.lines", std::to_string(machine.array.lines),
-                            "the program waits for a scanline below its screen",
-                            fmt::format("at least {}", rows + 1));
+                            "the program waits for a second scanline below its screen",
+                            fmt::format("at least {}", rows + 2));
     }
     if (machine.array.line_locked && machine.screen.height > machine.array.visible_lines) {
         throw machine.error(

@@ -128,6 +128,16 @@ TEST(PrincetonVideo, HasShownAPictureBeforeTheNextIsComplete) {
     }
 }
 
+TEST(PrincetonVideo, NeedsTwoScanlinesBelowThePicture) {
+    for (const std::string scheme : {"sort-first", "sort-middle", "sort-twice"}) {
+        EXPECT_EQ(run(small(scheme, {"array={line_locked: true, lines: 66, visible_lines: 64}",
+                                     "scene={object: cube, rotate: {degrees: 25}}"}))
+                      .pictures.size(),
+                  3U)
+            << scheme;
+    }
+}
+
 // What is said about a machine, be it its description, its program or what the program does.
 std::string complaint(const std::string& scheme, const std::vector<std::string>& changes) {
     try {
@@ -178,9 +188,9 @@ INSTANTIATE_TEST_SUITE_P(
                   AllOf(HasSubstr("memory.s:"), HasSubstr("screen_rows must be 1 to 512"))},
         BadScheme{"sort-first", "nodes.symbols.stride=8",
                   AllOf(HasSubstr("homes.s:"), HasSubstr("neither duplication nor strides"))},
-        BadScheme{"sort-middle", "array={line_locked: true, lines: 64, visible_lines: 64}",
-                  HasSubstr("array.lines: the program waits for a scanline below its screen '64'; "
-                            "expected at least 65")},
+        BadScheme{"sort-middle", "array={line_locked: true, lines: 65, visible_lines: 64}",
+                  HasSubstr("array.lines: the program waits for a second scanline below its "
+                            "screen '65'; expected at least 66")},
         BadScheme{"sort-middle", "array.visible_lines=65",
                   HasSubstr("array.visible_lines: the program's screen has fewer rows '65'; "
                             "expected at most 64")},
