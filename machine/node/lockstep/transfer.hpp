@@ -53,6 +53,9 @@ struct Transfer {
 };
 
 inline constexpr int kMostRecordWords = 64;
+// As many as that takes, an operation a bundle, and some work between: pieces are looked for from
+// every bundle on, which must not take the square of a long program's time.
+inline constexpr std::uint32_t kMostTransferBundles = 8 * kMostRecordWords;
 
 // In the order of their addresses; they do not overlap.
 std::vector<Transfer> find_transfers(const isa::vliw::Program& program);

@@ -243,7 +243,8 @@ std::vector<Transfer> find_transfers(const isa::vliw::Program& program) {
         }
         Follower follower(first);
         std::optional<Transfer> longest;
-        for (std::uint32_t end = first; end < bundles && follower.follow(program.bundles[end]);) {
+        const std::uint32_t last = std::min(bundles, first + kMostTransferBundles);
+        for (std::uint32_t end = first; end < last && follower.follow(program.bundles[end]);) {
             if (auto transfer = follower.transfer(++end)) {
                 longest = std::move(transfer);
             }

@@ -133,6 +133,19 @@ std::vector<Bundle> hand_on(int words, CommOp direction, int places) {
     return bundles;
 }
 
+TEST(LockstepTransfers, TakeWorkBehindTheRecordOnlySoFar) {
+    auto bundles = hand_on(20, CommOp::right, 1);
+    bundles.pop_back();  // a word that has not been shifted ends the piece
+    Bundle add;
+    add.alu = {.op = AluOp::add, .dst = 25, .a = 25, .b = 26};
+    bundles.insert(bundles.end(), 2 * lockstep::kMostTransferBundles, add);
+    bundles.emplace_back().seq.op = SeqOp::halt;
+    const auto transfers = lockstep::find_transfers(*testing::program_of(bundles));
+    ASSERT_EQ(transfers.size(), 1U);
+    EXPECT_EQ(transfers.front().words, 20);
+    EXPECT_EQ(transfers.front().end_bundle, lockstep::kMostTransferBundles);
+}
+
 // How the pointers r8 and r9 lie: apart, equal on some lanes, so near that words overlap.
 void point(const std::function<void(std::int64_t, int, std::uint16_t)>& set_reg, std::int64_t lanes,
            int kind) {
