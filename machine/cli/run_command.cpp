@@ -7,6 +7,7 @@
 #include "machine/cli/trace_options.hpp"
 #include "machine/config/error.hpp"
 #include "machine/emulation/run.hpp"
+#include "machine/emulation/wiring.hpp"
 #include "machine/host/animation.hpp"
 #include "machine/host/png.hpp"
 #include "machine/node/lockstep/lockstep_array.hpp"
@@ -161,6 +162,11 @@ void check_options(const RunCommandOptions& options, const config::MachineDescri
     if (options.compare && !machine.scene) {
         config::refuse({"--compare", 0, 0}, {}, {}, "nothing is drawn without a scene",
                        "a machine with a scene");
+    }
+    if (options.check_communication && !(machine.scene && emulation::is_lockstep(machine))) {
+        config::refuse({"--check-communication", 0, 0}, {}, {},
+                       "no polygons go from lane to lane here",
+                       "a machine of lanes (nodes.isa vliw) with a scene");
     }
     if (options.report && options.no_files) {
         config::refuse({"--report", 0, 0}, {}, {}, "the report is a file",
