@@ -6,9 +6,9 @@
 // of the work.
 //
 // States of nodes and what other parts tell is kept on request, and told by the time at which it
-// ends. Taps are not, for a tap shows a core as it is at that moment. Whoever wants them attaches to
-// the nodes directly, keeps what belongs to different nodes apart, and is told on the threads that
-// run them.
+// ends. Taps are not, for a tap shows a core as it is at that moment. Whoever wants them attaches
+// to the nodes directly, keeps what belongs to different nodes apart, and is told on the threads
+// that run them.
 #pragma once
 
 #include "machine/fabric/part_listener.hpp"
