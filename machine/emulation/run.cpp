@@ -193,112 +193,164 @@ observe::AppendixCReport gather_appendix_c(AppendixCCollector& collector,
     return collector.finish(report.machine, names);
 }
 
-}  // namespace
-
-RunOutcome run_machine(const MachineDescription& description, const RunOptions& options) {
-    isa::IsaRegistry registry = built_in_isas();
-    const Blueprint blueprint(description, registry);
-    const std::unique_ptr<HostJob> job = make_job(blueprint);
-    Machine machine(blueprint, job ? job->polygons() : std::vector<std::vector<Polygon>>());
-    RunOutcome outcome;
-    std::optional<PictureCollector> collector;
-    if (job) {
-        job->load(machine);
-        if (options.check_communication) {
-            job->check_communication(machine);
+// One run, from its configuration to what came of it.
+class Run {
+  public:
+    Run(const MachineDescription& description, const RunOptions& options)
+        : description_(description),
+          options_(options),
+          blueprint_(description, registry_),
+          job_(make_job(blueprint_)),
+          machine_(blueprint_, job_ ? job_->polygons() : std::vector<std::vector<Polygon>>()),
+          phases_(round_of(description.links)) {
+        if (job_) {
+            load();
         }
-        collector.emplace(*job, machine, outcome.pictures, outcome.videos);
-        machine.frame_probe()->attach(*collector);
-        outcome.remarks = job->remarks();
-        outcome.background = job->background();
-    }
-    observe::PhaseLog phases(round_of(description.links));
-    std::optional<observe::MessageCsv> messages;
-    if (options.messages_csv) {
-        messages.emplace(*options.messages_csv);
-    }
-    machine.simulation().use_threads(threads_for(description, machine));
-    std::optional<PathCollector> paths;
-    if (wants_paths(options, machine)) {
-        paths.emplace(machine);
-    }
-    const observe::MachineNames names = machine_names(blueprint, machine);
-    Traces traces(options.traces, names, paths ? &paths->causes() : nullptr, options.bottlenecks);
-    if (options.page) {
-        outcome.timeline.emplace(timeline_subjects(blueprint, machine));
-    }
-    Observers observers(machine, phases,
-                        {.messages = messages ? &*messages : nullptr,
-                         .timeline = outcome.timeline ? &*outcome.timeline : nullptr,
-                         .traces = traces.sinks(),
-                         .paths = paths ? &*paths : nullptr});
-    std::optional<AppendixCCollector> appendix_c;
-    if (options.appendix_c) {
-        tap(appendix_c, options, *blueprint.image, blueprint.topology, machine);
+        machine_.simulation().use_threads(threads_for(description, machine_));
+        names_ = machine_names(blueprint_, machine_);
+        observe();
     }
 
-    std::optional<PhaseStopwatch> stopwatch;
-    if (machine.lockstep() != nullptr) {
-        stopwatch.emplace(*machine.lockstep());
+    RunOutcome outcome() {
+        execute();
+        report_paths();
+        report_traces();
+        if (options_.page) {
+            outcome_.drawing = draw_machine(blueprint_, outcome_.report.fabric);
+        }
+        if (appendix_c_) {
+            outcome_.appendix_c = gather_appendix_c(*appendix_c_, outcome_.report);
+        }
+        if (messages_) {
+            messages_->close();
+        }
+        draw_references();
+        return std::move(outcome_);
     }
-    const auto start = WallClock::now();
-    const RunResult result =
-        run_in_slices(machine.simulation(), Time::zero() + description.run.max_time,
-                      observers.slice(), [&](Time now) {
-                          if (stopwatch) {
-                              stopwatch->stand();
-                          }
-                          observers.catch_up(now);
-                          if (collector) {
-                              collector->collect();
-                          }
-                          if (options.progress) {
-                              tell_progress(options, machine, description, now);
-                          }
-                          if (stopwatch) {
-                              stopwatch->go();
-                          }
-                      });
-    observers.finish();
-    outcome.wall_seconds = seconds_since(start);
 
-    outcome.failure = failure_of(result, description, machine);
-    outcome.report = gather_report(blueprint, machine, phases, result.time);
-    if (stopwatch) {
-        stopwatch->tell(outcome.report);
+  private:
+    void load() {
+        job_->load(machine_);
+        if (options_.check_communication) {
+            job_->check_communication(machine_);
+        }
+        collector_.emplace(*job_, machine_, outcome_.pictures, outcome_.videos);
+        machine_.frame_probe()->attach(*collector_);
+        outcome_.remarks = job_->remarks();
+        outcome_.background = job_->background();
     }
-    if (paths) {
-        outcome.report.paths = paths->finish(names, outcome.report.phases);
-        if (options.bottlenecks && outcome.failure.empty()) {
-            const auto lines = lines_on_paths(blueprint, job.get(), machine, paths->paths());
+
+    void observe() {
+        if (options_.messages_csv) {
+            messages_.emplace(*options_.messages_csv);
+        }
+        if (wants_paths(options_, machine_)) {
+            paths_.emplace(machine_);
+        }
+        traces_.emplace(options_.traces, names_, paths_ ? &paths_->causes() : nullptr,
+                        options_.bottlenecks);
+        if (options_.page) {
+            outcome_.timeline.emplace(timeline_subjects(blueprint_, machine_));
+        }
+        observers_.emplace(
+            machine_, phases_,
+            Observers::Listeners{.messages = messages_ ? &*messages_ : nullptr,
+                                 .timeline = outcome_.timeline ? &*outcome_.timeline : nullptr,
+                                 .traces = traces_->sinks(),
+                                 .paths = paths_ ? &*paths_ : nullptr});
+        if (options_.appendix_c) {
+            tap(appendix_c_, options_, *blueprint_.image, blueprint_.topology, machine_);
+        }
+        if (machine_.lockstep() != nullptr) {
+            stopwatch_.emplace(*machine_.lockstep());
+        }
+    }
+
+    void execute() {
+        const auto start = WallClock::now();
+        const RunResult result =
+            run_in_slices(machine_.simulation(), Time::zero() + description_.run.max_time,
+                          observers_->slice(), [this](Time now) { look_between_slices(now); });
+        observers_->finish();
+        outcome_.wall_seconds = seconds_since(start);
+        outcome_.failure = failure_of(result, description_, machine_);
+        outcome_.report = gather_report(blueprint_, machine_, phases_, result.time);
+        if (stopwatch_) {
+            stopwatch_->tell(outcome_.report);
+        }
+    }
+
+    void look_between_slices(Time now) {
+        if (stopwatch_) {
+            stopwatch_->stand();
+        }
+        observers_->catch_up(now);
+        if (collector_) {
+            collector_->collect();
+        }
+        if (options_.progress) {
+            tell_progress(options_, machine_, description_, now);
+        }
+        if (stopwatch_) {
+            stopwatch_->go();
+        }
+    }
+
+    void report_paths() {
+        if (!paths_) {
+            return;
+        }
+        outcome_.report.paths = paths_->finish(names_, outcome_.report.phases);
+        if (options_.bottlenecks && outcome_.failure.empty()) {
+            const auto lines = lines_on_paths(blueprint_, job_.get(), machine_, paths_->paths());
             for (std::size_t i = 0; i < lines.size(); ++i) {
-                outcome.report.paths[i].lines = lines[i];
+                outcome_.report.paths[i].lines = lines[i];
             }
         }
     }
-    if (outcome.failure.empty()) {
-        observers.finish();  // what nodes were at when the run ended
-        traces.close(outcome.report, paths ? paths->paths() : std::vector<observe::CriticalPath>());
-        if (options.bottlenecks) {
-            outcome.bottlenecks = traces.search();
+
+    void report_traces() {
+        if (!outcome_.failure.empty()) {
+            return;
+        }
+        observers_->finish();  // what nodes were at when the run ended
+        traces_->close(outcome_.report,
+                       paths_ ? paths_->paths() : std::vector<observe::CriticalPath>());
+        if (options_.bottlenecks) {
+            outcome_.bottlenecks = traces_->search();
         }
     }
-    if (options.page) {
-        outcome.drawing = draw_machine(blueprint, outcome.report.fabric);
-    }
-    if (appendix_c) {
-        outcome.appendix_c = gather_appendix_c(*appendix_c, outcome.report);
-    }
-    if (messages) {
-        messages->close();
-    }
-    if (job && options.reference_pictures) {
-        for (std::int64_t frame = 0; frame < static_cast<std::int64_t>(outcome.pictures.size());
-             ++frame) {
-            outcome.references.push_back(job->reference(frame));
+
+    void draw_references() {
+        if (job_ && options_.reference_pictures) {
+            for (std::size_t frame = 0; frame < outcome_.pictures.size(); ++frame) {
+                outcome_.references.push_back(job_->reference(static_cast<std::int64_t>(frame)));
+            }
         }
     }
-    return outcome;
+
+    const MachineDescription& description_;
+    const RunOptions& options_;
+    isa::IsaRegistry registry_ = built_in_isas();
+    RunOutcome outcome_;
+    const Blueprint blueprint_;
+    const std::unique_ptr<HostJob> job_;
+    Machine machine_;
+    observe::MachineNames names_;
+    observe::PhaseLog phases_;
+    std::optional<PictureCollector> collector_;
+    std::optional<observe::MessageCsv> messages_;
+    std::optional<PathCollector> paths_;
+    std::optional<Traces> traces_;
+    std::optional<Observers> observers_;
+    std::optional<AppendixCCollector> appendix_c_;
+    std::optional<PhaseStopwatch> stopwatch_;
+};
+
+}  // namespace
+
+RunOutcome run_machine(const MachineDescription& description, const RunOptions& options) {
+    return Run(description, options).outcome();
 }
 
 }  // namespace rasterloom::emulation
