@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "machine/fabric/rasterizer.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace rasterloom {
+
+Rasterizer::Rasterizer(std::string name, const RasterizerSettings& settings)
+    : Component(std::move(name)), settings_(settings) {
+    if (settings.cycles_per_triangle < 0 || settings.cycles_per_pixel < 0) {
+        throw std::invalid_argument(
+            fmt::format("{}: a triangle's and a pixel's cycles are not negative", this->name()));
+    }
+    if (settings.clock.nominal_period() < 2 * Duration::tick()) {
+        throw std::invalid_argument(
+            fmt::format("{}: a rasterizer's cycle lasts at least 2 ps", this->name()));
+    }
+    add_port("sorter");
+}
+
+void Rasterizer::handle(const Event& event) {
+    switch (static_cast<TileEvent>(event.kind)) {
+        case TileEvent::grant:
+            // It was sent one tick ago, and counts from then on.
+            begin(settings_.clock.edge_at_or_after(now() - Duration::tick()).count());
+            draw(*reinterpret_cast<const TileGrant*>(static_cast<std::uintptr_t>(event.payload)));
+            send_as_of(free_, TileEvent::next, all_drawn() ? 1 : 0);
+            return;
+        case TileEvent::no_more:
+            end_frame();
+            if (!all_drawn()) {
+                send_as_of(drawn_, TileEvent::drained);
+            }
+            return;
+        default:
+            throw InvariantError(now(), name(), "an event that no rasterizer expects");
+    }
+}
+
+// Arrives at the cycle's beginning, or at once if that is over.
+void Rasterizer::send_as_of(std::int64_t cycle, TileEvent event, std::uint64_t payload) {
+    send(kSorter, static_cast<EventKind>(event), payload,
+         std::max(now(), edge(cycle) - Duration::tick()));
+}
+
+// There is something to be drawn from `cycle` on.
+void Rasterizer::begin(std::int64_t cycle) {
+    if (!in_frame_) {
+        in_frame_ = true;
+        free_ = drawn_ = cycle;
+    } else if (cycle > free_) {
+        triangle_probe_.enter(id(), PartState::idle, edge(free_));
+        statistics_.triangle_starved += Cycles(cycle - free_);
+        free_ = cycle;
+    }
+}
+
+void Rasterizer::draw(const TileGrant& grant) {
+    statistics_.tiles += 1;
+    TileIndex tile = grant.front().tile;
+    for (const TileWork& pair : grant) {
+        statistics_.tiles += std::exchange(tile, pair.tile) == pair.tile ? 0 : 1;
+        draw(pair);
+    }
+    statistics_.pairs += static_cast<std::int64_t>(grant.size());
+}
+
+void Rasterizer::draw(const TileWork& pair) {
+    const std::int64_t begun = free_;
+    const std::int64_t before = drawn_;
+    const std::int64_t set_up = begun + settings_.cycles_per_triangle;
+    const std::int64_t drawing = std::max(set_up, before);
+    drawn_ = drawing + pair.pixels * settings_.cycles_per_pixel;
+    free_ = hand_over(set_up, drawn_);
+    statistics_.pairs_without_pixels += pair.pixels == 0 ? 1 : 0;
+    statistics_.pixels += pair.pixels;
+    statistics_.triangle_blocked += Cycles(free_ - set_up);
+    statistics_.pixel_starved += Cycles(drawing - before);
+    if (probe_.observed() || triangle_probe_.observed() || pixel_probe_.observed()) {
+        tell({id(), pair, Cycles(begun), Cycles(set_up), Cycles(free_), Cycles(drawing),
+              Cycles(drawn_)},
+             before);
+    }
+}
+
+// When the triangle unit gets rid of a triangle that is set up at `set_up` and drawn at `drawn`.
+std::int64_t Rasterizer::hand_over(std::int64_t set_up, std::int64_t drawn) {
+    if (settings_.fifo == 0) {
+        return drawn;
+    }
+    while (!fifo_.empty() && fifo_.front() <= set_up) {
+        fifo_.pop_front();
+    }
+    std::int64_t handed_over = set_up;
+    if (settings_.fifo == fifo_.size()) {
+        handed_over = fifo_.front();
+        fifo_.pop_front();
+    }
+    if (drawn > handed_over) {
+        if (fifo_.full()) {
+            fifo_.set_capacity(std::max<std::size_t>(4, 2 * fifo_.capacity()));
+        }
+        fifo_.push_back(drawn);
+        statistics_.fifo_peak = std::max(statistics_.fifo_peak, fifo_.size());
+    }
+    return handed_over;
+}
+
+// The pixel unit had drawn the pair before at `idle_from`.
+void Rasterizer::tell(const DrawnPair& pair, std::int64_t idle_from) {
+    const auto time = [this](Cycles cycle) { return settings_.clock.edge(cycle); };
+    triangle_probe_.enter(id(), PartState::busy, time(pair.begun));
+    if (pair.handed_over > pair.set_up) {
+        triangle_probe_.enter(id(), PartState::blocked, time(pair.set_up));
+    }
+    if (pair.drawing > Cycles(idle_from)) {
+        pixel_probe_.enter(id(), PartState::idle, edge(idle_from));
+    }
+    if (pair.drawn > pair.drawing) {
+        pixel_probe_.enter(id(), PartState::busy, time(pair.drawing));
+    }
+    probe_.tell([&](RasterizerListener& listener) { listener.pair_drawn(pair); });
+}
+
+void Rasterizer::end_frame() {
+    triangle_probe_.enter(id(), PartState::idle, edge(free_));
+    pixel_probe_.enter(id(), PartState::idle, edge(drawn_));
+    in_frame_ = false;
+}
+
+RasterizerStatistics Rasterizer::statistics() const {
+    RasterizerStatistics all = statistics_;
+    all.triangle_busy = Cycles(all.pairs * settings_.cycles_per_triangle);
+    all.pixel_busy = Cycles(all.pixels * settings_.cycles_per_pixel);
+    return all;
+}
+
+}  // namespace rasterloom

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// A hardware rasterizer: a triangle unit and a pixel unit in a pipeline, with a FIFO of triangles
+// between them (Chen and others 1998, 3.3 and 4.3).
+//
+//     grants ---> triangle unit ---[ FIFO ]--- pixel unit
+//
+// For every (triangle, tile) pair the triangle unit works cycles_per_triangle, the paper's k, also
+// when the triangle has no pixel in the tile; then the pixel unit works cycles_per_pixel for each
+// pixel, in the order of the pairs. The FIFO holds the triangles that have been set up and not been
+// drawn: the pixel unit reads the one that it draws there, so its place is free when it is drawn.
+// When the FIFO is full, the triangle unit keeps its triangle and is blocked. So with e for the end
+// of a triangle's drawing and p pixels,
+//
+//     set up(i)      = handed over(i - 1) + k
+//     e(i)           = max(set up(i), e(i - 1)) + p(i)
+//     handed over(i) = max(set up(i), e(i - places))
+//
+//     0 places: no overlap, the sum of k + p;
+//     1 place: the paper's single triangle of buffering, the sum of max(k, p) and at most k more,
+//              for the pipeline to fill;
+//     unlimited: what the paper's formula max(k O, a) is about.
+//
+// The pipeline does not drain between tiles. The triangle unit asks for more pairs when it has
+// handed over the last one.
+//
+// Nobody can interfere with what has been granted, so the rasterizer works ahead: it finds all
+// times of a grant when that comes, and what it tells and counts may lie in the future.
+#pragma once
+
+#include "machine/fabric/part_listener.hpp"
+#include "machine/fabric/tile_work.hpp"
+#include "machine/kernel/clock.hpp"
+#include "machine/kernel/component.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <boost/circular_buffer.hpp>
+
+namespace rasterloom {
+
+struct RasterizerSettings {
+    Clock clock = Clock::with_frequency(100'000'000);  // a period of at least 2 ticks
+    std::int64_t cycles_per_triangle = 25;             // at least 0
+    std::int64_t cycles_per_pixel = 1;                 // at least 0
+    std::optional<std::size_t> fifo = 1;               // places; none: unlimited
+};
+
+// All times are cycles of the rasterizer's clock.
+struct RasterizerStatistics {
+    std::int64_t tiles = 0;
+    std::int64_t pairs = 0;
+    std::int64_t pairs_without_pixels = 0;  // of those
+    std::int64_t pixels = 0;
+    // From the beginning of a frame's first grant on. The triangle unit's times add up to that at
+    // which it has handed over the frame's last triangle, the pixel unit's to that at which it has
+    // drawn it.
+    Cycles triangle_busy;
+    Cycles triangle_blocked;  // the FIFO was full
+    Cycles triangle_starved;  // asked for pairs
+    Cycles pixel_busy;
+    Cycles pixel_starved;  // the FIFO was empty
+    // Triangles in the FIFO at one time, at most; one that is drawn in no time was never in it.
+    std::size_t fifo_peak = 0;
+};
+
+// A pair has been drawn; cycles of the rasterizer's clock.
+struct DrawnPair {
+    ComponentId rasterizer{};
+    TileWork work;
+    Cycles begun;  // by the triangle unit
+    Cycles set_up;
+    Cycles handed_over;
+    Cycles drawing;  // begun by the pixel unit
+    Cycles drawn;
+};
+
+class RasterizerListener {
+  public:
+    virtual ~RasterizerListener() = default;
+    // One rasterizer's pairs come in the order in which it draws them.
+    virtual void pair_drawn(const DrawnPair&) = 0;
+};
+
+class Rasterizer final : public Component {
+  public:
+    static constexpr PortIndex kSorter{0};  // speaks TileEvent
+
+    // Throws std::invalid_argument when a setting is out of range.
+    Rasterizer(std::string name, const RasterizerSettings& settings);
+
+    const RasterizerSettings& settings() const { return settings_; }
+    RasterizerStatistics statistics() const;
+    // The two units, each a part of its own under the rasterizer's id.
+    PartProbe& triangle_probe() { return triangle_probe_; }
+    PartProbe& pixel_probe() { return pixel_probe_; }
+    Probe<RasterizerListener>& probe() { return probe_; }
+
+    void handle(const Event& event) override;
+    // When all that has been granted is drawn.
+    Time reached() const override { return edge(drawn_); }
+
+  private:
+    void begin(std::int64_t cycle);
+    void draw(const TileGrant& grant);
+    void draw(const TileWork& pair);
+    std::int64_t hand_over(std::int64_t set_up, std::int64_t drawn);
+    void tell(const DrawnPair& pair, std::int64_t idle_from);
+    void end_frame();
+    void send_as_of(std::int64_t cycle, TileEvent event, std::uint64_t payload = 0);
+    bool all_drawn() const { return drawn_ == free_; }  // when the triangle unit is free
+    Time edge(std::int64_t cycle) const { return settings_.clock.edge(Cycles(cycle)); }
+
+    RasterizerSettings settings_;
+    bool in_frame_ = false;
+    // Cycles of the clock.
+    std::int64_t free_ = 0;   // the triangle unit has handed over all that it was granted
+    std::int64_t drawn_ = 0;  // the pixel unit has drawn it
+    boost::circular_buffer<std::int64_t> fifo_;  // when the triangles in it will have been drawn
+    RasterizerStatistics statistics_;            // but the busy times
+    PartProbe triangle_probe_;
+    PartProbe pixel_probe_;
+    Probe<RasterizerListener> probe_;
+};
+
+}  // namespace rasterloom

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// A whole bucket tiler for tests: a sorter and its rasterizers, all heard.
+#pragma once
+
+#include "machine/fabric/tile_sorter.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+namespace rasterloom {
+
+struct TileMachineSettings {
+    TileSorterSettings sorter;
+    RasterizerSettings rasterizer;
+    std::size_t threads = 1;
+};
+
+class TileMachine {
+  public:
+    struct Heard : RasterizerListener {
+        void pair_drawn(const DrawnPair& pair) override { pairs.push_back(pair); }
+        std::vector<DrawnPair> pairs;
+    };
+    struct Intervals : PartListener {
+        void part_interval_ended(const PartInterval& interval) override { all.push_back(interval); }
+        Duration sum(PartState state) const {
+            Duration sum;
+            for (const PartInterval& interval : all) {
+                sum += interval.state == state ? interval.to - interval.from : Duration();
+            }
+            return sum;
+        }
+        std::vector<PartInterval> all;
+    };
+
+    TileMachine(const TileMachineSettings& settings, std::vector<TileFrame> frames)
+        : clock(settings.rasterizer.clock) {
+        sorter = &simulation.add<TileSorter>("sorter", settings.sorter);
+        sorter->probe().attach(sorting);
+        for (int i = 0; i < settings.sorter.queues.rasterizers; ++i) {
+            auto& rasterizer =
+                simulation.add<Rasterizer>(fmt::format("rasterizer/{:03}", i), settings.rasterizer);
+            sorter->connect(simulation, i, rasterizer);
+            rasterizer.probe().attach(heard.emplace_back());
+            rasterizer.triangle_probe().attach(triangle_units.emplace_back());
+            rasterizer.pixel_probe().attach(pixel_units.emplace_back());
+            rasterizers.push_back(&rasterizer);
+        }
+        sorter->load(std::move(frames));
+        simulation.seal();
+        simulation.use_threads(settings.threads);
+        simulation.run();
+    }
+
+    std::int64_t cycle_of(Time time) const { return clock.edge_at_or_before(time).count(); }
+    // From when a frame is sorted to its end.
+    std::int64_t drawing_cycles(std::size_t frame = 0) const {
+        const TileFrameRecord& record = sorter->frames().at(frame);
+        return cycle_of(record.ended) - cycle_of(record.sorted);
+    }
+
+    Clock clock;
+    Simulation simulation;
+    TileSorter* sorter = nullptr;
+    Intervals sorting;
+    std::vector<Rasterizer*> rasterizers;
+    std::deque<Heard> heard;  // [rasterizer]
+    std::deque<Intervals> triangle_units;
+    std::deque<Intervals> pixel_units;
+};
+
+// Random pairs, some without pixels, of `tiles` tiles and twenty triangles.
+inline TileFrame random_frame(TileIndex tiles) {
+    TileFrame frame;
+    frame.triangles = 20;
+    const auto count = *rc::gen::inRange<std::size_t>(0, 60);
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool small = *rc::gen::arbitrary<bool>();
+        frame.pairs.push_back({*rc::gen::inRange<TileIndex>(0, tiles),
+                               *rc::gen::inRange<std::uint32_t>(0, frame.triangles),
+                               *rc::gen::inRange<std::uint32_t>(0, small ? 3 : 65)});
+    }
+    return frame;
+}
+
+inline RasterizerSettings random_rasterizer(int least_k) {
+    RasterizerSettings settings;
+    settings.clock = *rc::gen::element(Clock::with_period(Duration::nanoseconds(10)),
+                                       Clock::with_frequency(14'000'000),
+                                       Clock::with_period(Duration::picoseconds(2)));
+    settings.cycles_per_triangle = *rc::gen::inRange(least_k, 40);
+    settings.cycles_per_pixel = *rc::gen::inRange(1, 3);
+    settings.fifo = *rc::gen::inRange<std::size_t>(0, 6);
+    if (*settings.fifo == 5) {
+        settings.fifo.reset();
+    }
+    return settings;
+}
+
+}  // namespace rasterloom
