@@ -180,7 +180,7 @@ TEST(Rasterizer, IsNotSlowerWithAPlaceMoreInTheFifo) {
         const std::int64_t more = cycles(settings, frame);
         RC_ASSERT(fewer >= more);
         RC_ASSERT(more >= unlimited);
-        RC_ASSERT(*settings.fifo < frame.pairs.size() || more == unlimited);
+        RC_ASSERT((*settings.fifo < frame.pairs.size() || more == unlimited));
     }));
 }
 
@@ -192,21 +192,59 @@ TEST(Rasterizer, PaysForATriangleWithoutPixelsInTheTile) {
     EXPECT_EQ(machine.rasterizers[0]->statistics().pairs_without_pixels, 1);
 }
 
+TEST(Rasterizer, HasATriangleInTheFifoUntilItIsDrawn) {
+    const auto peak = [](const std::vector<std::uint32_t>& pixels) {
+        RasterizerSettings settings;
+        settings.cycles_per_triangle = 10;
+        settings.fifo.reset();
+        return one_rasterizer(settings, frame_of(pixels)).rasterizers[0]->statistics().fifo_peak;
+    };
+    EXPECT_EQ(peak({0, 0}), 0U);
+    EXPECT_EQ(peak({10, 10, 10}), 1U);
+    EXPECT_EQ(peak({11, 10, 10}), 2U);
+    EXPECT_EQ(peak({100, 0, 0, 0}), 4U);
+}
+
+// A machine whose rasterizer begins late, and asks for every tile.
+TileMachineSettings tile_by_tile(const RasterizerSettings& rasterizer) {
+    TileMachineSettings settings;
+    settings.rasterizer = rasterizer;
+    settings.sorter.time_per_triangle = Duration::nanoseconds(1);
+    settings.sorter.queues.assignment = TileAssignment::next_free;
+    settings.sorter.queues.columns = 7;
+    return settings;
+}
+
+TEST(Rasterizer, DoesNotCountTheTimeBetweenFrames) {
+    EXPECT_TRUE(rc::check([] {
+        const TileMachineSettings settings = tile_by_tile(random_rasterizer(1));
+        const TileFrame frame = random_frame(7);
+        const auto counted = [&](const std::vector<TileFrame>& frames) {
+            const TileMachine machine(settings, frames);
+            const RasterizerStatistics s = machine.rasterizers[0]->statistics();
+            return std::vector{s.triangle_busy.count(),    s.triangle_blocked.count(),
+                               s.triangle_starved.count(), s.pixel_busy.count(),
+                               s.pixel_starved.count(),    s.tiles};
+        };
+        std::vector<std::int64_t> twice = counted({frame});
+        for (std::int64_t& count : twice) {
+            count *= 2;
+        }
+        RC_ASSERT(counted({frame, frame}) == twice);
+    }));
+}
+
 TEST(Rasterizer, CountsEveryCycleOfBothUnits) {
     EXPECT_TRUE(rc::check([] {
-        TileMachineSettings settings;
-        settings.rasterizer = random_rasterizer(0);
-        settings.sorter.queues.assignment =
-            *rc::gen::element(TileAssignment::interleaved, TileAssignment::next_free);
-        settings.sorter.queues.columns = 7;
-        const TileMachine machine(settings, {random_frame(7)});
+        const TileMachine machine(tile_by_tile(random_rasterizer(0)), {random_frame(7)});
         const RasterizerStatistics s = machine.rasterizers[0]->statistics();
         const auto& pairs = machine.heard[0].pairs;
         RC_ASSERT(s.pairs == static_cast<std::int64_t>(pairs.size()));
         RC_PRE(!pairs.empty());
+        const Cycles begun = pairs.front().begun;
         RC_ASSERT(s.triangle_busy + s.triangle_blocked + s.triangle_starved ==
-                  pairs.back().handed_over);
-        RC_ASSERT(s.pixel_busy + s.pixel_starved == pairs.back().drawn);
+                  pairs.back().handed_over - begun);
+        RC_ASSERT(s.pixel_busy + s.pixel_starved == pairs.back().drawn - begun);
         Cycles busy;
         Cycles blocked;
         std::size_t peak = 0;
@@ -247,8 +285,10 @@ TEST(Rasterizer, TellsWhatItsUnitsAreAt) {
 TEST(Rasterizer, TellsTheStatesThatItCounts) {
     EXPECT_TRUE(rc::check([] {
         RasterizerSettings settings = random_rasterizer(0);
+        settings.cycles_per_triangle = *rc::gen::inRange(0, 4);
         settings.clock = Clock::with_period(Duration::nanoseconds(1));
-        const TileMachine machine = one_rasterizer(settings, random_frame(1));
+        const TileFrame frame = random_frame(7);
+        const TileMachine machine(tile_by_tile(settings), {frame, frame});
         const RasterizerStatistics s = machine.rasterizers[0]->statistics();
         const auto as_cycles = [](Duration d) { return Cycles(d.picoseconds() / 1000); };
         const auto& triangle_unit = machine.triangle_units[0];

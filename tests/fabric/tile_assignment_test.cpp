@@ -45,8 +45,8 @@ TEST(TileAssignment, NeverGivesNeighboursToOneRasterizerWhenItInterleaves) {
         const auto owners = owners_of_tiles(TileAssignment::interleaved, static_cast<int>(columns),
                                             static_cast<int>(rows), *rc::gen::inRange(2, 70));
         for (std::size_t tile = 0; tile < owners.size(); ++tile) {
-            RC_ASSERT((tile + 1) % columns == 0 || owners[tile] != owners[tile + 1]);
-            RC_ASSERT(tile + columns >= owners.size() || owners[tile] != owners[tile + columns]);
+            RC_ASSERT(((tile + 1) % columns == 0 || owners[tile] != owners[tile + 1]));
+            RC_ASSERT((tile + columns >= owners.size() || owners[tile] != owners[tile + columns]));
         }
     }));
 }
