@@ -66,6 +66,20 @@ std::int64_t TextLine::whole(std::string_view what, std::int64_t least, std::int
     return number;
 }
 
+double TextLine::decimal(std::string_view what, double least, double most) {
+    double number = 0;
+    const char* const begin = text_.data() + at_;
+    const char* const end = text_.data() + text_.size();
+    const auto [stop, error] = std::from_chars(begin, end, number);
+    const bool is_word = stop == end || kBlanks.find(*stop) != kBlanks.npos;
+    if (error != std::errc{} || !is_word || !(number >= least && number <= most))
+        fail_at(at_, fmt::format("{} is {}", what, word_at(at_)),
+                fmt::format("a number from {} to {}", least, most));
+    at_ += static_cast<std::size_t>(stop - begin);
+    skip_blanks();
+    return number;
+}
+
 PixelBox TextLine::box() {
     PixelBox box;
     expect("(");

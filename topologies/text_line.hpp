@@ -34,6 +34,8 @@ class TextLine {
     // Each throws TextFileError where something else stands.
     void expect(std::string_view word);
     std::int64_t whole(std::string_view what, std::int64_t least, std::int64_t most);
+    // A whole word, such as -2, 0.25 or 1e3.
+    double decimal(std::string_view what, double least, double most);
     PixelBox box();  // "(x0,y0) (x1,y1)", the lesser coordinates first
     void expect_end(std::string_view after);
 
