@@ -2,14 +2,13 @@
 // rasterloom boxes: the bounding boxes of a scene, for `rasterloom communicate` and the ring.
 #include "machine/cli/command.hpp"
 #include "machine/cli/config_options.hpp"
+#include "machine/cli/mesh_options.hpp"
 #include "machine/config/error.hpp"
 #include "machine/emulation/princeton_scene.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/host/box_scenes.hpp"
-#include "machine/host/mesh_file.hpp"
 #include "machine/host/polygon_projection.hpp"
 #include "machine/host/polygon_stage.hpp"
-#include "machine/host/scenes.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -26,25 +25,11 @@ namespace {
 
 struct BoxesOptions {
     ConfigOptions machine;
-    std::string mesh;
-    std::string up = "y";
-    std::string front = "z";
-    std::string object;
-    double turn = 0;
-    double tilt = 0;
+    MeshOptions mesh;
     host::Camera camera{.field_of_view = 40};
     host::RandomBoxes random{.count = 0};
     std::string out;
 };
-
-host::Mesh make_mesh(const BoxesOptions& options) {
-    if (options.mesh.empty()) {
-        return host::make_scene_object(options.object);
-    }
-    host::Mesh mesh = host::load_mesh(options.mesh, host::Polygons::as_in_file);
-    host::orient(mesh, {host::parse_axis(options.up), host::parse_axis(options.front)});
-    return mesh;
-}
 
 std::vector<host::BoundingBox> make_boxes(const BoxesOptions& options, const Session& session) {
     if (!options.machine.file.empty()) {
@@ -55,12 +40,8 @@ std::vector<host::BoundingBox> make_boxes(const BoxesOptions& options, const Ses
     if (options.random.count != 0) {
         return host::random_boxes(options.random);
     }
-    host::Mesh mesh = make_mesh(options);
-    host::turn(mesh, options.turn);
-    host::tilt(mesh, options.tilt);
-    host::fit_to_sphere(mesh);
     const auto lens = host::make_lens(options.camera, options.random.width, options.random.height);
-    return host::boxes_through_lens(host::stage_polygons(std::move(mesh)), lens);
+    return host::boxes_through_lens(host::stage_polygons(make_mesh(options.mesh)), lens);
 }
 
 void print_summary(const std::string& file, const std::vector<host::BoundingBox>& boxes) {
@@ -97,9 +78,7 @@ void write_boxes(const BoxesOptions& options, const Session& session) {
 
 void add_scene_options(CLI::App& command, BoxesOptions& options) {
     CLI::App* const scene = command.add_option_group("Scene", "one of them");
-    scene->add_option("--mesh", options.mesh, "A file of polygons")->type_name("FILE");
-    scene->add_option("--object", options.object, "A built-in object (rasterloom list scenes)")
-        ->type_name("NAME");
+    add_mesh_sources(*scene, options.mesh);
     scene
         ->add_option("--random", options.random.count,
                      "So many polygons evenly over the screen, half of them visible")
@@ -132,10 +111,7 @@ void add_boxes_command(CLI::App& app, Session& session) {
     const auto add = [command](const char* name, auto& value, const char* summary) {
         return command->add_option(name, value, summary)->capture_default_str();
     };
-    add("--up", options->up, "The axis of a mesh that points up");
-    add("--front", options->front, "The axis of a mesh that points at the viewer");
-    add("--turn", options->turn, "Turn the object about its upright axis, degrees");
-    add("--tilt", options->tilt, "Lean it towards the viewer, degrees");
+    add_mesh_stance(*command, options->mesh);
     add("--field-of-view", options->camera.field_of_view,
         "Degrees between the screen's sides; the viewer is 4 radii from the object's middle");
     add("--seed", options->random.seed, "Of random polygons");

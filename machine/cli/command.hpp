@@ -30,6 +30,8 @@ void add_assemble_command(CLI::App& app, Session& session);
 void add_what_if_command(CLI::App& app, Session& session);
 void add_boxes_command(CLI::App& app, Session& session);
 void add_communicate_command(CLI::App& app, Session& session);
+void add_triangles_command(CLI::App& app, Session& session);
+void add_overlap_command(CLI::App& app, Session& session);
 void add_list_command(CLI::App& app, Session& session);
 
 }  // namespace rasterloom::cli

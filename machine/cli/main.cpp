@@ -41,6 +41,9 @@ constexpr const char* kFooter =
     "  rasterloom boxes --object teapot --out teapot.boxes\n"
     "  rasterloom communicate teapot.boxes --strides 16,1\n"
     "      (what a ring of 1024 processors spends on sorting polygons; docs/ring-model.md)\n"
+    "  rasterloom triangles --object teapot --out teapot.triangles\n"
+    "  rasterloom overlap teapot.triangles --tile 8,16,32\n"
+    "      (how many tiles a triangle overlaps; docs/overlap.md)\n"
     "\n"
     "Exit status: 0 success; 1 a defect of the emulator; 2 wrong usage, configuration or input;\n"
     "3 the emulated machine failed (guest error, deadlock, time limit).\n"
@@ -64,6 +67,8 @@ void set_up(CLI::App& app, Session& session) {
     add_what_if_command(app, session);
     add_boxes_command(app, session);
     add_communicate_command(app, session);
+    add_triangles_command(app, session);
+    add_overlap_command(app, session);
     add_list_command(app, session);
 }
 

@@ -15,12 +15,6 @@
 namespace rasterloom::host {
 namespace {
 
-// Pixel coordinates, y downwards; whole numbers are pixels' centres.
-glm::dvec2 place_on_screen(const LensCorner& corner, const Lens& lens) {
-    return {(lens.width - 1) / 2.0 + lens.scale_x * corner.right / corner.distance,
-            (lens.height - 1) / 2.0 - lens.scale_y * corner.up / corner.distance};
-}
-
 // Above zero when the corners run clockwise with y downwards, twice the area in pixels.
 double turning_area(std::span<const glm::dvec2> places) {
     double sum = 0;

@@ -133,6 +133,11 @@ LensCorner through_lens(const StageCorner& corner, const Lens& lens) {
             glm::dot(from_eye, lens.forward), corner.grey};
 }
 
+glm::dvec2 place_on_screen(const LensCorner& corner, const Lens& lens) {
+    return {(lens.width - 1) / 2.0 + lens.scale_x * corner.right / corner.distance,
+            (lens.height - 1) / 2.0 - lens.scale_y * corner.up / corner.distance};
+}
+
 LensPolygon clip(std::vector<LensCorner> corners, const Lens& lens) {
     LensPolygon result{std::move(corners)};
     for (const auto& plane : planes_of(lens)) {

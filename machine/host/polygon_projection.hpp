@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace rasterloom::host {
@@ -40,6 +41,9 @@ struct LensCorner {
 };
 
 LensCorner through_lens(const StageCorner& corner, const Lens& lens);
+
+// Pixels from the left and, other than above, from the top; whole numbers are pixels' centres.
+glm::dvec2 place_on_screen(const LensCorner& corner, const Lens& lens);
 
 struct LensPolygon {
     std::vector<LensCorner> corners;
