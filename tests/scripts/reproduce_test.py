@@ -104,7 +104,8 @@ class Papers(FolderTest):
     def test_a_small_claim_of_each_paper_runs(self):
         emulator = CachedEmulator(RASTERLOOM)
         papers = {paper.TITLE.split(":")[0]: paper for paper in load_papers(ROOT / "scripts/papers", [])}
-        for title, what in (("Strothotte 1981", "diameter"), ("Parks 1982", "uniprocessor: polygons"), ("Eldridge 1995", "C, sort-middle")):
+        for title, what in (("Strothotte 1981", "diameter"), ("Parks 1982", "uniprocessor: polygons"), ("Eldridge 1995", "C, sort-middle"),
+                            ("Chen 1998", "Quake, depth complexity")):
             claim = next(claim for claim in papers[title].CLAIMS if what in claim.what)
             self.assertEqual(examine(claim, emulator).verdict, REPRODUCED, claim)
 
