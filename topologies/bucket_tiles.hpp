@@ -4,12 +4,11 @@
 #pragma once
 
 #include "topologies/pixel_box.hpp"
+#include "topologies/tile_index.hpp"
 
 #include <cstdint>
 
 namespace rasterloom::topology {
-
-using TileIndex = std::uint32_t;
 
 struct TileSize {
     int width = 0;  // pixels
