@@ -2,15 +2,13 @@
 """Scenes for Chen's tiles and the tiles that they overlap (`rasterloom triangles`, `rasterloom overlap`; docs/overlap.md): chen.py prints them,
 papers/chen1998.py compares them."""
 
-import atexit
 import json
 import sys
-import tempfile
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from measuring import ROOT
+from measuring import ROOT, scratch_folder
 
 TILES = (8, 16, 32, 64, 128)
 
@@ -61,16 +59,9 @@ def meshes(folder):
 
 
 @lru_cache(maxsize=None)
-def folder():
-    made = tempfile.TemporaryDirectory()
-    atexit.register(made.cleanup)
-    return Path(made.name)
-
-
-@lru_cache(maxsize=None)
 def overlaps(emulator, scene):
     """What `overlap --json` says of a scene (arguments of `triangles`), sizes by the tile's side."""
-    path = folder() / f"{overlaps.cache_info().currsize}.triangles"
+    path = scratch_folder() / f"{overlaps.cache_info().currsize}.triangles"
     emulator.text("triangles", *scene, "--out", str(path))
     found = json.loads(emulator.text("overlap", str(path), "--json", "--tile", ",".join(map(str, TILES))))
     found["sizes"] = {size["width"]: size for size in found["sizes"]}

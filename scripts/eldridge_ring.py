@@ -2,13 +2,11 @@
 """What the model of Eldridge's ring counts (`rasterloom boxes`, `rasterloom communicate`; docs/ring-model.md), as numbers: eldridge.py draws
 them, papers/eldridge1995.py compares them."""
 
-import atexit
 import json
-import tempfile
 from functools import lru_cache
-from pathlib import Path
 
 from eldridge_formula import GF, GI, N, group_of, least
+from measuring import scratch_folder
 
 # At 72 degrees the teapot's polygons are on 5.7 columns each, as the thesis' are (figure 4-1: 23.3 polygons on the mean of 1024 processors).
 LENS = ("--field-of-view", "72")
@@ -29,15 +27,8 @@ def mesh_scene(file):
 
 
 @lru_cache(maxsize=None)
-def folder():
-    made = tempfile.TemporaryDirectory()
-    atexit.register(made.cleanup)
-    return Path(made.name)
-
-
-@lru_cache(maxsize=None)
 def boxes_of(emulator, scene):
-    path = folder() / f"{boxes_of.cache_info().currsize}.boxes"
+    path = scratch_folder() / f"{boxes_of.cache_info().currsize}.boxes"
     emulator.text("boxes", *scene, "--out", str(path))
     return path
 

@@ -2,14 +2,24 @@
 """What the measuring scripts share: running the command, reading what it writes, printing Markdown tables."""
 
 import argparse
+import atexit
 import csv
 import json
 import subprocess
 import sys
 import tempfile
+from functools import lru_cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+
+
+@lru_cache(maxsize=None)
+def scratch_folder():
+    """For files that are there as long as the script runs."""
+    made = tempfile.TemporaryDirectory()
+    atexit.register(made.cleanup)
+    return Path(made.name)
 
 
 class EmulatorError(Exception):

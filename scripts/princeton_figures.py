@@ -7,9 +7,9 @@ from functools import lru_cache
 import eldridge_figures
 import eldridge_formula as formula
 from eldridge_formula import N, Q, WIDTH, least
-from eldridge_ring import COUNTS, RING_SIZES, STRIDES, boxes_of, communicating, composite_of, counts, folder, random_scene
+from eldridge_ring import COUNTS, RING_SIZES, STRIDES, boxes_of, communicating, composite_of, counts, random_scene
 from eldridge_ring import SHADED, strides as by_strides
-from measuring import EmulatorError, table
+from measuring import EmulatorError, scratch_folder, table
 from princeton_machine import SMALL, array, changes_of, is_crowded, model, passes, phase, symbols
 
 COPIES = (1, 2, 4, 8, 16)
@@ -26,7 +26,7 @@ def in_strips(emulator, scene, n):
     if n >= WIDTH:
         return path
     strip = [next(k for k in range(n) if x < (k + 1) * WIDTH // n) for x in range(WIDTH)]
-    narrow = folder() / f"{path.stem}-{n}.boxes"
+    narrow = scratch_folder() / f"{path.stem}-{n}.boxes"
     with open(path) as wide, open(narrow, "w") as file:
         for line in wide:
             words = line.replace("(", " ").replace(")", " ").replace(",", " ").split()

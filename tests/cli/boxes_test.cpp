@@ -2,7 +2,6 @@
 // rasterloom boxes and rasterloom communicate.
 #include "tests/cli/command_line.hpp"
 
-#include <fstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -14,27 +13,13 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::StartsWith;
 
 class Boxes : public CommandLine {
   protected:
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(work_ / name) << text;
-    }
-
     nlohmann::json counts(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), {"communicate", "--json"});
-        const Finished done = rasterloom(arguments);
-        EXPECT_EQ(done.status, 0) << done.err;
-        return nlohmann::json::parse(done.out);
-    }
-
-    void expect_refused(const std::vector<std::string>& arguments, const std::string& what) const {
-        const Finished done = rasterloom(arguments);
-        EXPECT_EQ(done.status, 2);
-        EXPECT_THAT(done.out, IsEmpty());
-        EXPECT_THAT(done.err, HasSubstr(what));
+        return json_of(arguments);
     }
 };
 

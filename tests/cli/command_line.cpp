@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -76,6 +77,24 @@ int CommandLine::status_of(pid_t child) {
     int status = 0;
     ::waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+nlohmann::json CommandLine::json_of(const std::vector<std::string>& arguments) const {
+    const Finished done = rasterloom(arguments);
+    EXPECT_EQ(done.status, 0) << done.err;
+    return nlohmann::json::parse(done.out);
+}
+
+void CommandLine::expect_refused(const std::vector<std::string>& arguments,
+                                 const std::string& what) const {
+    const Finished done = rasterloom(arguments);
+    EXPECT_EQ(done.status, 2) << what;
+    EXPECT_THAT(done.out, testing::IsEmpty());
+    EXPECT_THAT(done.err, testing::HasSubstr(what));
+}
+
+void CommandLine::write(const std::string& name, const std::string& text) const {
+    std::ofstream(work_ / name) << text;
 }
 
 std::vector<std::string> CommandLine::files() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <sys/types.h>
 
@@ -32,6 +33,12 @@ class CommandLine : public testing::Test {
     pid_t start(std::vector<std::string> arguments, rlim_t room = RLIM_INFINITY) const;
     // Waits for it; -1 when a signal has ended it.
     static int status_of(pid_t child);
+    // What the command, which must succeed, prints.
+    nlohmann::json json_of(const std::vector<std::string>& arguments) const;
+    // That it ends with status 2, says this, and prints nothing.
+    void expect_refused(const std::vector<std::string>& arguments, const std::string& what) const;
+    // A file in the folder.
+    void write(const std::string& name, const std::string& text) const;
     // What the command left in the folder, hidden files included.
     std::vector<std::string> files() const;
 

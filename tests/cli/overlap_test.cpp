@@ -2,7 +2,6 @@
 // rasterloom triangles and rasterloom overlap.
 #include "tests/cli/command_line.hpp"
 
-#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +12,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::StartsWith;
 
 // A front over ten of sixteen tiles of 8 x 8, its back, a line, and a front beside a screen of 32.
@@ -25,22 +23,9 @@ constexpr const char* kFour =
 
 class Overlap : public CommandLine {
   protected:
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(work_ / name) << text;
-    }
-
     nlohmann::json counts(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), {"overlap", "--json"});
-        const Finished done = rasterloom(arguments);
-        EXPECT_EQ(done.status, 0) << done.err;
-        return nlohmann::json::parse(done.out);
-    }
-
-    void expect_refused(const std::vector<std::string>& arguments, const std::string& what) const {
-        const Finished done = rasterloom(arguments);
-        EXPECT_EQ(done.status, 2) << what;
-        EXPECT_THAT(done.out, IsEmpty());
-        EXPECT_THAT(done.err, HasSubstr(what));
+        return json_of(arguments);
     }
 };
 
