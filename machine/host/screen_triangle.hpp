@@ -26,6 +26,8 @@ struct ScreenVertex {
     std::int32_t y = 0;      // likewise, downwards
     std::int32_t depth = 0;  // 0 (nearest) to kFarthest (machine/fabric/polygon.hpp)
     std::int32_t shade = 0;  // grey level times kShadeUnit: 0 to 255 * kShadeUnit
+    std::int32_t u = 0;      // 1/65536 of a texture's width from its left, 0 to 65535
+    std::int32_t v = 0;      // likewise of its height, from its top
 
     friend bool operator==(const ScreenVertex&, const ScreenVertex&) = default;
 };
