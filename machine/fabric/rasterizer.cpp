@@ -132,6 +132,14 @@ void Rasterizer::end_frame() {
     in_frame_ = false;
 }
 
+// What it was granted it has drawn, or will have without anybody else.
+std::optional<std::string> Rasterizer::waits_for() const {
+    if (!in_frame_) {
+        return std::nullopt;
+    }
+    return fmt::format("the next tile, or the end of the frame (granted: {})", statistics_.tiles);
+}
+
 RasterizerStatistics Rasterizer::statistics() const {
     RasterizerStatistics all = statistics_;
     all.triangle_busy = Cycles(all.pairs * settings_.cycles_per_triangle);

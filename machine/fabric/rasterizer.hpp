@@ -99,6 +99,7 @@ class Rasterizer final : public Component {
     Probe<RasterizerListener>& probe() { return probe_; }
 
     void handle(const Event& event) override;
+    std::optional<std::string> waits_for() const override;
     // When all that has been granted is drawn.
     Time reached() const override { return edge(drawn_); }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "machine/fabric/tile_sorter.hpp"
 
+#include "machine/fabric/supervisor.hpp"
+
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +19,9 @@ TileSorter::TileSorter(std::string name, const TileSorterSettings& settings)
     }
     for (int rasterizer = 0; rasterizer < settings.queues.rasterizers; ++rasterizer) {
         add_port(fmt::format("rasterizer {}", rasterizer));
+    }
+    if (settings.supervised) {
+        add_port("supervisor");
     }
 }
 
@@ -42,14 +48,46 @@ void TileSorter::load(std::vector<TileFrame> frames) {
     frames_ = std::move(frames);
 }
 
+void TileSorter::start() {
+    if (settings_.supervised || !frames_.empty()) {
+        begin_frame();
+    } else {
+        over_ = true;
+    }
+}
+
 void TileSorter::handle(const Event& event) {
-    if (event.phase() == EventPhase::work) {  // the frame is sorted
-        probe_.enter(id(), PartState::idle, now());
-        if (!hand_out()) {
-            go_on();
-        }
+    if (event.phase() == EventPhase::work) {
+        handle_work(static_cast<Work>(event.kind));
+    } else if (event.port == supervisor_port()) {
+        handle_phase(event.payload);
+    } else {
+        handle_rasterizer(event);
+    }
+}
+
+void TileSorter::handle_work(Work work) {
+    if (work == Work::begin_frame) {
+        begin_frame();
         return;
     }
+    probe_.enter(id(), PartState::idle, now());
+    hand_out();
+}
+
+void TileSorter::handle_phase(std::uint64_t shown) {
+    if (state_ != State::waiting) {
+        scheduler().fail(std::make_shared<CreditError>(
+            now(), name(),
+            fmt::format("a phase ends while frame {} is being drawn", records_.size() - 1)));
+    } else if (shown == kRunOver) {
+        over_ = true;
+    } else {
+        begin_frame();
+    }
+}
+
+void TileSorter::handle_rasterizer(const Event& event) {
     const auto rasterizer = static_cast<std::size_t>(event.port);
     switch (static_cast<TileEvent>(event.kind)) {
         case TileEvent::next:
@@ -69,23 +107,14 @@ void TileSorter::handle(const Event& event) {
     }
 }
 
-// From the beginning of a frame, if there is one more.
-void TileSorter::go_on() {
-    while (records_.size() < frames_.size()) {
-        if (const Duration work = begin_frame(); work > Duration()) {
-            probe_.enter(id(), PartState::busy, now());
-            wake_at(now() + work, 0);
-            return;
-        }
-        if (hand_out()) {
-            return;
-        }
-    }
+const TileFrame& TileSorter::next_frame() const {
+    static const TileFrame nothing;
+    return frames_.empty() ? nothing : frames_[records_.size() % frames_.size()];
 }
 
-// How long it takes to sort.
-Duration TileSorter::begin_frame() {
-    const TileFrame& frame = frames_[records_.size()];
+// Sorts, and hands out at once if that takes no time.
+void TileSorter::begin_frame() {
+    const TileFrame& frame = next_frame();
     records_.push_back({now(), now(), now()});
     queues_.fill(frame.pairs);
     const auto pairs = static_cast<std::int64_t>(frame.pairs.size());
@@ -94,16 +123,24 @@ Duration TileSorter::begin_frame() {
     statistics_.triangles += frame.triangles;
     statistics_.pairs += pairs;
     statistics_.busy += work;
-    return work;
+    if (work > Duration()) {
+        state_ = State::sorting;
+        probe_.enter(id(), PartState::busy, now());
+        wake_at(now() + work, static_cast<EventKind>(Work::hand_out));
+    } else {
+        hand_out();
+    }
 }
 
-// False when there is nothing to be drawn in the frame.
-bool TileSorter::hand_out() {
-    records_.back().sorted = records_.back().ended = now();
-    for (std::size_t rasterizer = 0; rasterizer < ports().size(); ++rasterizer) {
-        drawing_ += grant_next(rasterizer) ? 1 : 0;
+void TileSorter::hand_out() {
+    state_ = State::drawing;
+    records_.back().sorted = now();
+    for (std::size_t rasterizer = 0; rasterizer < rasterizers(); ++rasterizer) {
+        drawing_ += grant_next(rasterizer) ? 1U : 0U;
     }
-    return drawing_ > 0;
+    if (drawing_ == 0) {
+        end_frame();
+    }
 }
 
 // False when nothing is left for it.
@@ -123,9 +160,37 @@ void TileSorter::send_to(std::size_t rasterizer, TileEvent event, std::uint64_t 
 // A rasterizer has drawn all that it got.
 void TileSorter::finish_one() {
     if (--drawing_ == 0) {
-        records_.back().ended = now();
-        go_on();
+        end_frame();
     }
+}
+
+void TileSorter::end_frame() {
+    state_ = State::waiting;
+    records_.back().ended = now();
+    if (settings_.supervised) {
+        send(supervisor_port(), static_cast<EventKind>(SupervisorEvent::credit),
+             credit_payload({-1, 0}), now());
+    } else if (records_.size() < frames_.size()) {
+        wake_at(now(), static_cast<EventKind>(Work::begin_frame));
+    } else {
+        over_ = true;
+    }
+}
+
+std::optional<std::string> TileSorter::waits_for() const {
+    if (over_) {
+        return std::nullopt;
+    }
+    switch (state_) {
+        case State::sorting:
+            return fmt::format("the end of sorting frame {}", records_.size() - 1);
+        case State::drawing:
+            return fmt::format("{} of {} rasterizers to have drawn frame {}", drawing_,
+                               rasterizers(), records_.size() - 1);
+        case State::waiting:
+            break;
+    }
+    return fmt::format("the phase that begins frame {}", records_.size());
 }
 
 }  // namespace rasterloom

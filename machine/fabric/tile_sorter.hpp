@@ -9,7 +9,10 @@
 // for sorting, in which nothing is drawn; then every rasterizer gets the first of its tiles, and
 // the next ones when it asks (machine/fabric/tile_assignment.hpp). Those that ask at the same time
 // are served in the order of their names. The frame ends when every rasterizer has drawn what it
-// got; then the next one begins.
+// got.
+//
+// It is one more node of the supervisor's: a phase is a frame, and when the frame ends it gives its
+// credit back.
 #pragma once
 
 #include "machine/fabric/part_listener.hpp"
@@ -19,6 +22,7 @@
 #include "machine/kernel/simulation.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +32,7 @@ struct TileSorterSettings {
     Duration time_per_triangle;  // at least 0
     Duration time_per_pair;      // at least 0
     TileQueueSettings queues;
+    bool supervised = true;  // false: no wire to a supervisor; the frames follow each other at once
 };
 
 struct TileSorterStatistics {
@@ -50,8 +55,14 @@ class TileSorter final : public Component {
     // Lays the wire to rasterizer number `index`, 0 to rasterizers - 1.
     void connect(Simulation& simulation, int index, Rasterizer& rasterizer);
 
-    // What is to be drawn, frame by frame; before the run. Throws std::invalid_argument for a pair
-    // with a tile or a triangle that there is not.
+    // Where a supervisor's wire ends; only if supervised.
+    PortIndex supervisor_port() const {
+        return static_cast<PortIndex>(settings_.queues.rasterizers);
+    }
+
+    // What is to be drawn, by frames; before the run. When the run has more frames than these, they
+    // begin again with the first; without any, all frames are empty. Throws std::invalid_argument
+    // for a pair with a tile or a triangle that there is not.
     void load(std::vector<TileFrame> frames);
 
     // Of the frames begun; the last one may not have come to its end.
@@ -59,23 +70,37 @@ class TileSorter final : public Component {
     const TileSorterStatistics& statistics() const { return statistics_; }
     PartProbe& probe() { return probe_; }
 
-    void start() override { go_on(); }
+    void start() override;
     void handle(const Event& event) override;
+    std::optional<std::string> waits_for() const override;
     bool stands_apart() const override { return true; }
 
   private:
-    void go_on();
-    Duration begin_frame();
-    bool hand_out();
+    enum class State : std::uint8_t { waiting, sorting, drawing };
+    // What it is woken for.
+    enum class Work : EventKind { begin_frame, hand_out };
+
+    void handle_work(Work work);
+    void handle_phase(std::uint64_t shown);
+    void handle_rasterizer(const Event& event);
+    void begin_frame();
+    void hand_out();
     bool grant_next(std::size_t rasterizer);
     void send_to(std::size_t rasterizer, TileEvent event, std::uint64_t payload);
     void finish_one();
+    void end_frame();
+    const TileFrame& next_frame() const;
+    std::size_t rasterizers() const {
+        return static_cast<std::size_t>(settings_.queues.rasterizers);
+    }
 
     TileSorterSettings settings_;
     TileQueues queues_;
     std::vector<TileFrame> frames_;
     std::vector<TileFrameRecord> records_;
-    int drawing_ = 0;  // rasterizers that are not yet done with the frame
+    State state_ = State::waiting;
+    bool over_ = false;
+    std::size_t drawing_ = 0;  // rasterizers that are not yet done with the frame
     TileSorterStatistics statistics_;
     PartProbe probe_;
 };

@@ -47,6 +47,7 @@ void triangle_tile_pairs(benchmark::State& state) {
     TileSorterSettings sorting;
     sorting.queues = {static_cast<TileAssignment>(state.range(2)), kColumns, kRows,
                       static_cast<int>(state.range(1)), 25};
+    sorting.supervised = false;
     RasterizerSettings settings;
     settings.fifo.reset();
     if (state.range(3) >= 0) {

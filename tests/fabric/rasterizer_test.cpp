@@ -34,6 +34,21 @@ TileMachine one_rasterizer(const RasterizerSettings& rasterizer, const TileFrame
     return TileMachine(settings, {frame});
 }
 
+// Grants a tile, and never another one.
+class Forgetful final : public Component {
+  public:
+    explicit Forgetful(std::string name) : Component(std::move(name)) { add_port("rasterizer"); }
+    void start() override {
+        send(PortIndex{0}, static_cast<EventKind>(TileEvent::grant),
+             reinterpret_cast<std::uintptr_t>(&grant_), now());
+    }
+    void handle(const Event&) override {}
+
+  private:
+    TileWork pair_{0, 0, 9};
+    TileGrant grant_{&pair_, 1};
+};
+
 std::int64_t cycles(const RasterizerSettings& rasterizer, const TileFrame& frame) {
     const TileMachine machine = one_rasterizer(rasterizer, frame);
     return machine.cycle_of(machine.rasterizers[0]->reached());
@@ -317,6 +332,19 @@ TEST(Rasterizer, RefusesSettingsThatMeanNothing) {
     EXPECT_EQ(refusal([](auto& s) { s.clock = Clock::with_period(Duration::tick()); }),
               "R: a rasterizer's cycle lasts at least 2 ps");
     EXPECT_EQ(refusal([](auto& s) { s.cycles_per_triangle = 0; }), "none");
+}
+
+TEST(Rasterizer, TellsThatItWaitsForASorterThatNeverAnswers) {
+    Simulation simulation;
+    auto& sorter = simulation.add<Forgetful>("sorter");
+    auto& rasterizer = simulation.add<Rasterizer>("rasterizer", RasterizerSettings());
+    simulation.connect(sorter, PortIndex{0}, rasterizer, Rasterizer::kSorter, Duration::tick());
+    simulation.seal();
+    const RunResult result = simulation.run();
+    ASSERT_NE(result.failure, nullptr);
+    EXPECT_THAT(result.failure->message(),
+                testing::HasSubstr(
+                    "rasterizer waits for the next tile, or the end of the frame (granted: 1)"));
 }
 
 }  // namespace

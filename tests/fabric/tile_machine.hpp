@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A whole bucket tiler for tests: a sorter and its rasterizers, all heard.
+// A whole bucket tiler for tests: a sorter and its rasterizers, all heard, and a supervisor if the
+// sorter is to have one.
 #pragma once
 
+#include "machine/fabric/supervisor.hpp"
 #include "machine/fabric/tile_sorter.hpp"
 
 #include <algorithm>
@@ -15,8 +17,15 @@
 
 namespace rasterloom {
 
+inline TileSorterSettings unsupervised() {
+    TileSorterSettings settings;
+    settings.supervised = false;
+    return settings;
+}
+
 struct TileMachineSettings {
-    TileSorterSettings sorter;
+    TileSorterSettings sorter = unsupervised();
+    Supervisor::Settings supervisor;  // if the sorter is supervised
     RasterizerSettings rasterizer;
     std::size_t threads = 1;
 };
@@ -39,6 +48,11 @@ class TileMachine {
         std::vector<PartInterval> all;
     };
 
+    struct Phases : SupervisorListener {
+        void phase_ended(const PhaseRecord& phase) override { all.push_back(phase); }
+        std::vector<PhaseRecord> all;
+    };
+
     TileMachine(const TileMachineSettings& settings, std::vector<TileFrame> frames)
         : clock(settings.rasterizer.clock) {
         sorter = &simulation.add<TileSorter>("sorter", settings.sorter);
@@ -52,10 +66,15 @@ class TileMachine {
             rasterizer.pixel_probe().attach(pixel_units.emplace_back());
             rasterizers.push_back(&rasterizer);
         }
+        if (settings.sorter.supervised) {
+            supervisor = &simulation.add<Supervisor>("supervisor", settings.supervisor);
+            supervisor->connect(simulation, 0, *sorter, sorter->supervisor_port());
+            supervisor->probe().attach(phases);
+        }
         sorter->load(std::move(frames));
         simulation.seal();
         simulation.use_threads(settings.threads);
-        simulation.run();
+        result = simulation.run();
     }
 
     std::int64_t cycle_of(Time time) const { return clock.edge_at_or_before(time).count(); }
@@ -67,6 +86,9 @@ class TileMachine {
 
     Clock clock;
     Simulation simulation;
+    RunResult result;
+    Supervisor* supervisor = nullptr;  // none: the frames follow each other at once
+    Phases phases;
     TileSorter* sorter = nullptr;
     Intervals sorting;
     std::vector<Rasterizer*> rasterizers;

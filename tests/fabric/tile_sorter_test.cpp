@@ -12,6 +12,24 @@
 namespace rasterloom {
 namespace {
 
+// Never answers.
+class Silent final : public Component {
+  public:
+    explicit Silent(std::string name) : Component(std::move(name)) { add_port("anybody"); }
+    void handle(const Event&) override {}
+};
+
+// Gives back more than its own credit.
+class Spendthrift final : public Component {
+  public:
+    explicit Spendthrift(std::string name) : Component(std::move(name)) { add_port("supervisor"); }
+    void start() override {
+        send(PortIndex{0}, static_cast<EventKind>(SupervisorEvent::credit), credit_payload({-2, 0}),
+             now());
+    }
+    void handle(const Event&) override {}
+};
+
 TileMachineSettings random_machine(int least_k) {
     TileMachineSettings settings;
     settings.rasterizer = random_rasterizer(least_k);
@@ -166,6 +184,105 @@ TEST(TileSorter, DrawsTheSameFrameInTheSameTimeAgain) {
     }));
 }
 
+// Nothing else gives work to the supervisor, so a phase is a frame, and takes half the latency to
+// be counted.
+TEST(TileSorter, BeginsAFrameWhenTheSupervisorHasSeenTheOneBeforeDrawn) {
+    EXPECT_TRUE(rc::check([] {
+        TileMachineSettings settings = random_machine(1);
+        settings.sorter.time_per_triangle = Duration::picoseconds(*rc::gen::inRange(0, 2));
+        settings.sorter.supervised = true;
+        settings.supervisor.latency = Duration::picoseconds(*rc::gen::inRange(2, 90'000));
+        settings.supervisor.frames = *rc::gen::inRange(1, 7);
+        const std::vector<TileFrame> frames = random_frames(settings);
+        const TileMachine machine(settings, frames);
+        RC_ASSERT(machine.result.end == RunEnd::finished);
+        const std::vector<TileFrameRecord>& records = machine.sorter->frames();
+        RC_ASSERT(static_cast<int>(records.size()) == settings.supervisor.frames);
+        RC_ASSERT(records.size() == machine.phases.all.size());
+        std::int64_t pairs = 0;
+        for (std::size_t k = 0; k < records.size(); ++k) {
+            pairs += static_cast<std::int64_t>(frames[k % frames.size()].pairs.size());
+            RC_ASSERT(records[k].began == machine.phases.all[k].began);
+            RC_ASSERT(k == 0 ||
+                      records[k].began == records[k - 1].ended + settings.supervisor.latency);
+        }
+        RC_ASSERT(machine.sorter->statistics().pairs == pairs);
+    }));
+}
+
+// What a supervised sorter's rasterizers draw, and how long they take, is what they do in frames
+// that follow each other at once; what they count sums up.
+TEST(TileSorter, DrawsUnderASupervisorWhatItDrawsWithoutOne) {
+    EXPECT_TRUE(rc::check([] {
+        TileMachineSettings settings = random_machine(1);
+        const TileFrame first = random_frame(tiles_of(settings));
+        const TileFrame second = random_frame(tiles_of(settings));
+        const TileMachine alone(settings, {first, second, first});
+        settings.sorter.supervised = true;
+        settings.supervisor.frames = 3;
+        // Whole cycles of every clock, so that frames begin at an edge.
+        settings.supervisor.latency = Duration::microseconds(1);
+        const TileMachine supervised(settings, {first, second});
+        for (std::size_t frame = 0; frame < 3; ++frame) {
+            RC_ASSERT(alone.drawing_cycles(frame) == supervised.drawing_cycles(frame));
+        }
+        for (std::size_t r = 0; r < alone.rasterizers.size(); ++r) {
+            RC_ASSERT(alone.heard[r].pairs.size() == supervised.heard[r].pairs.size());
+            const RasterizerStatistics& a = alone.rasterizers[r]->statistics();
+            const RasterizerStatistics& b = supervised.rasterizers[r]->statistics();
+            RC_ASSERT(a.tiles == b.tiles);
+            RC_ASSERT(a.pixels == b.pixels);
+            RC_ASSERT(a.triangle_busy == b.triangle_busy);
+            RC_ASSERT(a.pixel_starved == b.pixel_starved);
+        }
+    }));
+}
+
+TEST(TileSorter, HasEmptyFramesWhenItIsToDrawNothing) {
+    TileMachineSettings settings;
+    settings.sorter.supervised = true;
+    settings.supervisor.frames = 3;
+    const TileMachine machine(settings, {});
+    EXPECT_EQ(machine.result.end, RunEnd::finished);
+    EXPECT_EQ(machine.sorter->frames().size(), 3U);
+}
+
+TEST(TileSorter, TellsThatItWaitsForAPhaseThatDoesNotCome) {
+    TileMachineSettings settings;
+    settings.sorter.supervised = true;
+    Simulation simulation;
+    auto& sorter = simulation.add<TileSorter>("sorter", settings.sorter);
+    auto& rasterizer = simulation.add<Rasterizer>("rasterizer", settings.rasterizer);
+    sorter.connect(simulation, 0, rasterizer);
+    auto& supervisor = simulation.add<Silent>("supervisor");
+    simulation.connect(sorter, sorter.supervisor_port(), supervisor, PortIndex{0},
+                       Duration::tick());
+    simulation.seal();
+    const RunResult result = simulation.run();
+    ASSERT_NE(result.failure, nullptr);
+    EXPECT_THAT(result.failure->message(),
+                testing::HasSubstr("sorter waits for the phase that begins frame 1"));
+}
+
+TEST(TileSorter, EndsTheRunWhenAPhaseEndsBeforeTheFrameIsDrawn) {
+    TileMachineSettings settings;
+    settings.sorter.supervised = true;
+    settings.sorter.time_per_triangle = Duration::milliseconds(1);
+    Simulation simulation;
+    auto& sorter = simulation.add<TileSorter>("sorter", settings.sorter);
+    sorter.connect(simulation, 0, simulation.add<Rasterizer>("rasterizer", settings.rasterizer));
+    settings.supervisor.nodes = 2;
+    auto& supervisor = simulation.add<Supervisor>("supervisor", settings.supervisor);
+    supervisor.connect(simulation, 0, sorter, sorter.supervisor_port());
+    supervisor.connect(simulation, 1, simulation.add<Spendthrift>("spendthrift"), PortIndex{0});
+    sorter.load({{1, {}}});
+    simulation.seal();
+    const RunResult result = simulation.run();
+    ASSERT_NE(result.failure, nullptr);
+    EXPECT_THAT(result.failure->message(),
+                testing::HasSubstr("sorter: a phase ends while frame 0 is being drawn"));
+}
+
 std::string all_times(const TileMachine& machine) {
     std::string all;
     for (const TileFrameRecord& frame : machine.sorter->frames()) {
@@ -196,7 +313,7 @@ TEST(TileSorter, DoesTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(TileSorter, RefusesPairsOfTilesAndTrianglesThatThereAreNot) {
-    TileSorterSettings settings;
+    TileSorterSettings settings = unsupervised();
     settings.queues.columns = 3;
     settings.queues.rows = 2;
     TileSorter sorter("sorter", settings);
