@@ -25,7 +25,7 @@ bool has_direction(const glm::dvec3& v) {
 }
 
 struct CornerOnScreen {
-    ScreenVertex vertex;
+    ProjectedVertex vertex;
     bool faces_away = false;
 };
 
@@ -63,8 +63,8 @@ void check(const View& view) {
         fail("an axis of rotation of length zero, expected a direction");
 }
 
-ScreenVertex project_point(const glm::dvec3& point, const glm::dvec3& normal,
-                           const glm::dmat3& rotation, const View& view) {
+ProjectedVertex project_point(const glm::dvec3& point, const glm::dvec3& normal,
+                              const glm::dmat3& rotation, const View& view) {
     const auto p = rotation * point;
     const auto placed = view.translate + view.scale * glm::dvec3{-p.y, -p.z, p.x};
     const double divisor = 1 + placed.z / view.vanishing_distance;
@@ -81,8 +81,8 @@ ScreenVertex project_point(const glm::dvec3& point, const glm::dvec3& normal,
             view.ambient + (1 - view.ambient) * std::max(0.0, cosine)};
 }
 
-std::vector<ScreenTriangle> project(const FacetModel& model, const topology::Topology& geodesic,
-                                    const View& view) {
+std::vector<ProjectedTriangle> project(const FacetModel& model, const topology::Topology& geodesic,
+                                       const View& view) {
     check(view);
     const auto rotation = rotation_of(view);
     std::vector<std::vector<CornerOnScreen>> corners(model.crossings.size());
@@ -93,7 +93,7 @@ std::vector<ScreenTriangle> project(const FacetModel& model, const topology::Top
                                                     crossing.normal, rotation, view),
                                       (rotation * crossing.normal).x > kEdgeOn});
     }
-    std::vector<ScreenTriangle> triangles;
+    std::vector<ProjectedTriangle> triangles;
     for (const auto& [a, b, c] : model.triangles) {
         const auto& at_a = corners[a.facet][a.crossing];
         const auto& at_b = corners[b.facet][b.crossing];

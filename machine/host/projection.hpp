@@ -13,13 +13,13 @@
 
 namespace rasterloom::host {
 
-struct ScreenVertex {
+struct ProjectedVertex {
     double x = 0;          // pixels, the left edge of the picture is 0
     double y = 0;          // pixels, downwards
     double depth = 0;      // nearest is least
     double intensity = 0;  // 0 to 1
 };
-using ScreenTriangle = std::array<ScreenVertex, 3>;
+using ProjectedTriangle = std::array<ProjectedVertex, 3>;
 
 // Right-handed turn by view.degrees about view.axis. Throws std::invalid_argument for an axis of
 // length zero.
@@ -32,12 +32,12 @@ void check(const View& view);
 
 // A point of the object and its normal, both before the rotation. Throws std::invalid_argument when
 // the point would lie at the viewer or behind.
-ScreenVertex project_point(const glm::dvec3& point, const glm::dvec3& normal,
-                           const glm::dmat3& rotation, const View& view);
+ProjectedVertex project_point(const glm::dvec3& point, const glm::dvec3& normal,
+                              const glm::dmat3& rotation, const View& view);
 
 // All patches but those whose three normals face away from the viewer (Strothotte 1981, 5.1.3), in
 // the model's order. Facets are the nodes of the geodesic.
-std::vector<ScreenTriangle> project(const FacetModel& model, const topology::Topology& geodesic,
-                                    const View& view);
+std::vector<ProjectedTriangle> project(const FacetModel& model, const topology::Topology& geodesic,
+                                       const View& view);
 
 }  // namespace rasterloom::host

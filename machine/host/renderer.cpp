@@ -15,7 +15,7 @@ namespace {
 class Edge {
   public:
     // The triangle lies where value() is positive.
-    Edge(const ScreenVertex& from, const ScreenVertex& to)
+    Edge(const ProjectedVertex& from, const ProjectedVertex& to)
         : from_(from), to_(to), is_swapped_(std::tuple(to.y, to.x) < std::tuple(from.y, from.x)) {
         // With y downwards and the inside positive, a left edge goes up and a top edge goes right.
         owns_border_ = to.y < from.y || (to.y == from.y && to.x > from.x);
@@ -33,8 +33,8 @@ class Edge {
     bool covers(double value) const { return value > 0 || (value == 0 && owns_border_); }
 
   private:
-    ScreenVertex from_;
-    ScreenVertex to_;
+    ProjectedVertex from_;
+    ProjectedVertex to_;
     bool is_swapped_;
     bool owns_border_;
 };
@@ -52,7 +52,7 @@ class Canvas {
         : picture_(view.width, view.height, 1, static_cast<std::uint8_t>(view.background)),
           depth_(picture_.pixels.size(), std::numeric_limits<double>::infinity()) {}
 
-    void draw(const ScreenTriangle& triangle) {
+    void draw(const ProjectedTriangle& triangle) {
         const auto& a = triangle[0];
         auto b = triangle[1];
         auto c = triangle[2];
@@ -94,7 +94,7 @@ class Canvas {
 
 }  // namespace
 
-Picture reference_render(std::span<const ScreenTriangle> triangles, const View& view) {
+Picture reference_render(std::span<const ProjectedTriangle> triangles, const View& view) {
     check(view);
     Canvas canvas(view);
     for (const auto& triangle : triangles)

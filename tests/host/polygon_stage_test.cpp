@@ -34,9 +34,9 @@ View turned_view() {
 Picture picture_by_triangles(const Mesh& mesh, const View& view, const PolygonShading& shading) {
     const auto surface = build_surface(mesh, shading.normals, shading.crease_cosine);
     const auto rotation = rotation_of(view);
-    std::vector<ScreenTriangle> triangles;
+    std::vector<ProjectedTriangle> triangles;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        ScreenTriangle triangle;
+        ProjectedTriangle triangle;
         for (std::size_t k = 0; k < 3; ++k)
             triangle[k] = project_point(surface.positions[surface.triangles[t].vertices[k]],
                                         surface.normals[t][k], rotation, view);

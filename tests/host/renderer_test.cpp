@@ -24,8 +24,8 @@ View small_view(int width = 16, int height = 16) {
     return view;
 }
 
-ScreenTriangle triangle(double x0, double y0, double x1, double y1, double x2, double y2,
-                        double intensity = 1, double depth = 0) {
+ProjectedTriangle triangle(double x0, double y0, double x1, double y1, double x2, double y2,
+                           double intensity = 1, double depth = 0) {
     return {{{x0, y0, depth, intensity}, {x1, y1, depth, intensity}, {x2, y2, depth, intensity}}};
 }
 
@@ -34,7 +34,7 @@ std::size_t lit(const Picture& picture) {
         std::count_if(picture.pixels.begin(), picture.pixels.end(), [](auto p) { return p > 0; }));
 }
 
-Picture render(const std::vector<ScreenTriangle>& triangles, const View& view) {
+Picture render(const std::vector<ProjectedTriangle>& triangles, const View& view) {
     return reference_render(triangles, view);
 }
 
@@ -54,7 +54,7 @@ RC_GTEST_PROP(ReferenceRenderer, CoversEveryPixelOfASplitShapeExactlyOnce, ()) {
     const auto coordinate = [](int low, int high) { return *rc::gen::inRange(low, high) / 16.0; };
     const double x = coordinate(16, 240), y = coordinate(16, 240);
     const double left = 0.5, right = 15.5;
-    const std::vector<ScreenTriangle> parts{
+    const std::vector<ProjectedTriangle> parts{
         triangle(left, left, right, left, x, y), triangle(right, left, right, right, x, y),
         triangle(right, right, left, right, x, y), triangle(left, right, left, left, x, y)};
     std::size_t sum = 0;
@@ -86,7 +86,7 @@ TEST(ReferenceRenderer, KeepsTheFirstOfTwoAtOneDepth) {
 }
 
 TEST(ReferenceRenderer, ShadesLinearlyOverThePicture) {
-    ScreenTriangle ramp = triangle(0, 0, 16, 0, 0, 16);
+    ProjectedTriangle ramp = triangle(0, 0, 16, 0, 0, 16);
     ramp[0].intensity = 0;
     ramp[1].intensity = 1;
     ramp[2].intensity = 0;

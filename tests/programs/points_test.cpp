@@ -22,7 +22,7 @@ struct Worst {
     double intensity = 0;  // grey levels
     int wrong_sides = 0;   // that look away on one side only, though not at the limit
 
-    void add(const BareNode& node, const host::ScreenVertex& exact, double away) {
+    void add(const BareNode& node, const host::ProjectedVertex& exact, double away) {
         const auto value = [&](std::uint32_t offset) {
             return static_cast<std::int16_t>(node.word(kPoint + offset));
         };
