@@ -131,12 +131,30 @@ struct TextureDescription {
     std::optional<std::filesystem::path> file;  // ... or a picture
 };
 
+// Where the viewer of bucket tiles stands, in place of scene.scale, translate and
+// vanishing_distance.
+struct CameraDescription {
+    std::optional<glm::dvec3> eye;  // none: the view's
+    glm::dvec3 target{0, 0, 0};
+    double field_of_view = 40;  // degrees between the screen's left and right side
+};
+
+// Of random screen triangles (machine/host/triangle_scenes.hpp).
+struct RandomTrianglesDescription {
+    std::int64_t count = 1000;
+    double mean_area = 100;  // pixels
+    std::int64_t skew = 0;
+    double box_ratio = 3;
+    double aspect = 1;
+};
+
 struct SceneDescription {
     std::string object = "teapot";              // a built-in object or polygon scene ...
-    std::optional<std::filesystem::path> mesh;  // ... or a mesh or polygon file
+    std::optional<std::filesystem::path> mesh;  // ... or a mesh, polygon or triangle file
     std::optional<FileReference> model;         // in place of a polygon scene's own
-    TextureDescription texture;                 // of an object on a lock-step machine
+    TextureDescription texture;                 // of a scene on a lock-step machine or bucket tiles
     std::int64_t polygons = 500;                // of a random scene
+    RandomTrianglesDescription triangles;       // of random-triangles
     std::int64_t seed = 1;                      // likewise
     std::string up = "y";                       // axis of the mesh that points up
     std::string front = "z";                    // axis of the mesh that faces the viewer
@@ -147,6 +165,7 @@ struct SceneDescription {
     double scale = 0.9;
     glm::dvec3 translate{0, 0, 0};  // right, down, away
     double vanishing_distance = 4;
+    CameraDescription camera;
     glm::dvec3 light{-0.7, 0.3, 0.65};
     double ambient = 0.15;
     std::optional<std::int64_t> background;  // grey level; none: 0, or the polygon scene's own

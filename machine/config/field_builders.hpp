@@ -112,6 +112,11 @@ Field real_field(std::string path, std::string summary, double least, double mos
             [get](const MachineDescription& machine) { return format_real(get(machine)); }};
 }
 
+inline std::string vector_text(const std::optional<glm::dvec3>& v) {
+    return v ? fmt::format("[{}, {}, {}]", v->x, v->y, v->z) : std::string();
+}
+
+// `get`: of a vector, or of one that may be missing.
 template <typename Get>
 Field vector_field(std::string path, std::string summary, bool may_be_zero, Get get) {
     return {std::move(path),
@@ -136,10 +141,7 @@ Field vector_field(std::string path, std::string summary, bool may_be_zero, Get 
                 }
                 get(machine) = vector;
             },
-            [get](const MachineDescription& machine) {
-                const glm::dvec3& v = get(machine);
-                return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
-            }};
+            [get](const MachineDescription& machine) { return vector_text(get(machine)); }};
 }
 
 // One of a few names; `T` is an enumeration or a string.

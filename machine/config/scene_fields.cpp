@@ -34,18 +34,17 @@ void read_object(MachineDescription& machine, const Value& value, const Locator&
 }
 
 Field object_field() {
-    return {
-        "scene.object",
-        "a built-in object or polygon scene, a mesh file, a polygon file (.polygons) or bounding "
-        "boxes (.boxes)",
-        "what is drawn: see `rasterloom list scenes`; a file is looked for beside the "
-        "configuration",
-        false,
-        read_object,
-        [](const MachineDescription& machine) {
-            const SceneDescription& scene = scene_of(machine);
-            return yaml_scalar(scene.mesh ? scene.mesh->string() : scene.object);
-        }};
+    return {"scene.object",
+            "a built-in object or scene, a mesh file, a polygon file (.polygons), bounding boxes "
+            "(.boxes) or a triangle file (.triangles)",
+            "what is drawn: see `rasterloom list scenes`; a file is looked for beside the "
+            "configuration",
+            false,
+            read_object,
+            [](const MachineDescription& machine) {
+                const SceneDescription& scene = scene_of(machine);
+                return yaml_scalar(scene.mesh ? scene.mesh->string() : scene.object);
+            }};
 }
 
 Field model_field() {
@@ -73,8 +72,8 @@ void read_texture(MachineDescription& machine, const Value& value, const Locator
 Field texture_field() {
     return {"scene.texture",
             "none, checker, skin or a PNG file",
-            "what an object is covered with on a lock-step machine: nothing but its colour, a "
-            "built-in pattern or a picture, looked for beside the configuration",
+            "what an object is covered with on a lock-step machine or bucket tiles: nothing but "
+            "its colour, a built-in pattern or a picture, looked for beside the configuration",
             false,
             read_texture,
             [](const MachineDescription& machine) {
@@ -99,6 +98,39 @@ Field background_field() {
                 const auto& grey = scene_of(machine).background;
                 return grey ? std::to_string(*grey) : std::string();
             }};
+}
+
+void add_camera_fields(std::vector<Field>& fields) {
+    fields.push_back(vector_field(
+        "scene.camera.eye",
+        "of bucket tiles: where the viewer stands; the object is in the unit sphere, z up, its "
+        "front towards -x",
+        true, [](auto& m) -> auto& { return scene_of(m).camera.eye; }));
+    fields.push_back(vector_field(
+        "scene.camera.target", "what the camera looks at", true,
+        [](auto& m) -> auto& { return scene_of(m).camera.target; }));
+    fields.push_back(real_field(
+        "scene.camera.field_of_view", "of the camera: degrees between the screen's sides", 1, 179,
+        [](auto& m) -> auto& { return scene_of(m).camera.field_of_view; }));
+}
+
+void add_random_triangle_fields(std::vector<Field>& fields) {
+    fields.push_back(count_field(
+        "scene.triangles.count", "how many random triangles", 1, 1 << 24,
+        [](auto& m) -> auto& { return scene_of(m).triangles.count; }));
+    fields.push_back(real_field(
+        "scene.triangles.mean_area", "of random triangles, in pixels", 0.001, 1 << 24,
+        [](auto& m) -> auto& { return scene_of(m).triangles.mean_area; }));
+    fields.push_back(count_field(
+        "scene.triangles.skew",
+        "how uneven their areas are: mean (skew + 1) u^skew for u from 0 to 1; 0: all alike", 0, 16,
+        [](auto& m) -> auto& { return scene_of(m).triangles.skew; }));
+    fields.push_back(real_field(
+        "scene.triangles.box_ratio", "the area of their bounding boxes over their own", 2, 1000,
+        [](auto& m) -> auto& { return scene_of(m).triangles.box_ratio; }));
+    fields.push_back(real_field(
+        "scene.triangles.aspect", "the longer side of their bounding boxes over the shorter", 1,
+        1000, [](auto& m) -> auto& { return scene_of(m).triangles.aspect; }));
 }
 
 void add_random_fields(std::vector<Field>& fields) {
@@ -173,7 +205,9 @@ void add_scene_fields(std::vector<Field>& fields) {
     add_object_fields(fields);
     add_motion_fields(fields);
     add_view_fields(fields);
+    add_camera_fields(fields);
     add_random_fields(fields);
+    add_random_triangle_fields(fields);
 }
 
 }  // namespace rasterloom::config

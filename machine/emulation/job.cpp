@@ -13,13 +13,17 @@ std::unique_ptr<HostJob> make_job(const Blueprint& blueprint) {
         return nullptr;
     }
     try {
+        const SceneKind kind = scene_kind(description);
+        if (is_screen_triangles(kind)) {
+            refuse_screen_triangles(description);
+        }
         if (blueprint.is_lockstep()) {
             return make_princeton_job(blueprint);
         }
         if (blueprint.distribution) {
             return make_tile_job(blueprint);
         }
-        if (const SceneKind kind = scene_kind(description); kind != SceneKind::object) {
+        if (kind != SceneKind::object) {
             throw description.error("scene.object", description.scene->object,
                                     kind == SceneKind::boxes ? "is made of bounding boxes"
                                                              : "is made of screen polygons",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/object.hpp"
 
+#include "machine/emulation/scene_kind.hpp"
 #include "machine/host/mesh_file.hpp"
+#include "machine/host/png.hpp"
 #include "machine/host/polygon_scenes.hpp"
 #include "machine/host/scenes.hpp"
 
@@ -36,6 +38,7 @@ std::vector<std::string> names_of_objects() {
     for (const host::PolygonScene& scene : host::polygon_scenes()) {
         names.emplace_back(scene.name);
     }
+    names.emplace_back(kRandomTriangles);
     const std::string& name = machine.scene->object;
     throw machine.error("scene.object", name, "no such object or scene",
                         fmt::format("one of {}, or a file", fmt::join(names, ", ")),
@@ -70,6 +73,29 @@ host::View make_view(const config::MachineDescription& machine) {
     view.background = static_cast<int>(scene.background.value_or(0));
     view.axis = scene.rotate.axis;
     return view;
+}
+
+double degrees_at(const config::MachineDescription& machine, std::int64_t frame) {
+    const config::RotationDescription& rotate = machine.scene->rotate;
+    return rotate.start + static_cast<double>(frame) * rotate.degrees;
+}
+
+host::NormalStyle normal_style(const config::MachineDescription& machine) {
+    return machine.scene->normals == config::Normals::face ? host::NormalStyle::face
+                                                           : host::NormalStyle::smooth;
+}
+
+std::optional<host::Texture> make_texture(const config::MachineDescription& machine) {
+    const config::TextureDescription& texture = machine.scene->texture;
+    if (texture.name == "none") {
+        return std::nullopt;
+    }
+    try {
+        return texture.file ? host::make_texture(host::read_png(*texture.file))
+                            : host::make_texture(texture.name);
+    } catch (const std::exception& problem) {
+        throw machine.error("scene.texture", texture.name, problem.what());
+    }
 }
 
 }  // namespace rasterloom::emulation

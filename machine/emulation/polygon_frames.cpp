@@ -73,12 +73,10 @@ void make_object_frames(const MachineDescription& machine, PolygonFrames& result
     const host::Mesh object = make_object(machine, host::Polygons::as_in_file);
     host::View view = make_view(machine);
     host::PolygonShading shading;
-    shading.normals = machine.scene->normals == config::Normals::face ? host::NormalStyle::face
-                                                                      : host::NormalStyle::smooth;
+    shading.normals = normal_style(machine);
     result.setup.emplace();
     for (std::int64_t frame = 0; frame < machine.run.frames; ++frame) {
-        view.degrees = machine.scene->rotate.start +
-                       static_cast<double>(frame) * machine.scene->rotate.degrees;
+        view.degrees = degrees_at(machine, frame);
         host::PolygonSetupStatistics statistics;
         result.frames.push_back(host::screen_polygons(object, view, shading, &statistics));
         add(*result.setup, statistics);
@@ -106,6 +104,9 @@ void make_frames(const MachineDescription& machine, PolygonFrames& result) {
             throw machine.error("scene.object", machine.scene->object,
                                 "bounding boxes are sent by lock-step machines only",
                                 "an object, a mesh or polygons");
+        case SceneKind::triangle_file:
+        case SceneKind::random_triangles:
+            refuse_screen_triangles(machine);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "machine/host/triangle_renderer.hpp"
 
 #include <exception>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -27,26 +28,14 @@ host::Mesh make_mesh(const MachineDescription& machine) {
     return make_object(machine);
 }
 
-std::vector<host::Texture> make_textures(const MachineDescription& machine) {
-    const config::TextureDescription& texture = machine.scene->texture;
-    if (texture.name == "none") {
-        return {};
-    }
-    try {
-        return {texture.file ? host::make_texture(host::read_png(*texture.file))
-                             : host::make_texture(texture.name)};
-    } catch (const std::exception& problem) {
-        throw machine.error("scene.texture", texture.name, problem.what());
-    }
-}
-
 }  // namespace
 
 host::TriangleScene make_princeton_scene(const MachineDescription& machine) {
     host::TriangleMaterial material;
-    material.textures = make_textures(machine);
-    material.normals = machine.scene->normals == config::Normals::face ? host::NormalStyle::face
-                                                                       : host::NormalStyle::smooth;
+    if (std::optional<host::Texture> texture = make_texture(machine)) {
+        material.textures.push_back(std::move(*texture));
+    }
+    material.normals = normal_style(machine);
     host::Mesh mesh = make_mesh(machine);
     try {
         return host::make_triangle_scene(std::move(mesh), material);
@@ -57,9 +46,8 @@ host::TriangleScene make_princeton_scene(const MachineDescription& machine) {
 
 host::TriangleView make_princeton_view(const MachineDescription& machine, int distance,
                                        std::int64_t frame) {
-    const config::RotationDescription& rotate = machine.scene->rotate;
     host::View turn = make_view(machine);
-    turn.degrees = rotate.start + static_cast<double>(frame) * rotate.degrees;
+    turn.degrees = degrees_at(machine, frame);
     host::TriangleView view;
     view.matrix = host::eye_matrix(host::rotation_of(turn), {0, 0, distance});
     return view;

@@ -60,17 +60,32 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
         return idle;
     }
     const SceneKind kind = scene_kind(machine);
+    const bool buckets = machine.topology.kind == "bucket_tiles";
     if (lockstep) {
         add("another machine: here the object fills the screen",
             {"scene.size", "scene.scale", "scene.translate", "scene.vanishing_distance",
              "scene.ambient", "scene.background"});
     } else {
-        add("a lock-step array", {"scene.texture", "screen.map"});
+        add("a lock-step array", {"screen.map"});
+        if (!buckets) {
+            add("a lock-step array or bucket tiles", {"scene.texture"});
+        }
     }
     if (kind != SceneKind::object) {
         add("an object or mesh as the scene",
             {"scene.size", "scene.normals", "scene.rotate.", "scene.routing", "scene.scale",
              "scene.translate", "scene.vanishing_distance", "scene.light", "scene.ambient"});
+    }
+    if (!buckets || kind != SceneKind::object) {
+        add("an object or mesh on bucket tiles", {"scene.camera."});
+    } else if (machine.scene->camera.eye) {
+        add("a scene without scene.camera.eye",
+            {"scene.scale", "scene.translate", "scene.vanishing_distance"});
+    } else {
+        add("a scene with scene.camera.eye", {"scene.camera."});
+    }
+    if (kind != SceneKind::random_triangles) {
+        add("the scene random-triangles", {"scene.triangles."});
     }
     const host::PolygonScene* scene = kind == SceneKind::polygon_scene
                                           ? host::find_polygon_scene(machine.scene->object)
@@ -79,7 +94,9 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
         add("a polygon scene with a model of its own", {"scene.model"});
     }
     if (scene == nullptr || !scene->is_random) {
-        add("a random scene", {"scene.seed"});
+        if (kind != SceneKind::random_triangles) {
+            add("a random scene", {"scene.seed"});
+        }
         if (!lockstep || kind == SceneKind::boxes) {
             add("a random scene", {"scene.polygons"});
         }

@@ -17,22 +17,37 @@ int nearest_depth(const Polygon& polygon) {
     return least;
 }
 
+int nearest_depth(const ScreenTriangle& triangle) {
+    const auto& [a, b, c] = triangle.vertices;
+    return std::min({a.depth, b.depth, c.depth});
+}
+
 // Fisher and Yates; std::shuffle's draws differ from library to library.
-void shuffle(std::vector<Polygon>& polygons, std::uint64_t seed) {
+template <typename Shape>
+void shuffle(std::vector<Shape>& shapes, std::uint64_t seed) {
     Random random(seed);
-    for (std::size_t left = polygons.size(); left > 1; --left)
-        std::swap(polygons[left - 1], polygons[random.below(left)]);
+    for (std::size_t left = shapes.size(); left > 1; --left)
+        std::swap(shapes[left - 1], shapes[random.below(left)]);
+}
+
+template <typename Shape>
+void arrange_shapes(std::vector<Shape>& shapes, PolygonOrder order, std::uint64_t seed) {
+    if (order == PolygonOrder::sorted)
+        std::stable_sort(shapes.begin(), shapes.end(), [](const auto& a, const auto& b) {
+            return nearest_depth(a) < nearest_depth(b);
+        });
+    else if (order == PolygonOrder::shuffled)
+        shuffle(shapes, seed);
 }
 
 }  // namespace
 
 void arrange(std::vector<Polygon>& polygons, PolygonOrder order, std::uint64_t seed) {
-    if (order == PolygonOrder::sorted)
-        std::stable_sort(polygons.begin(), polygons.end(), [](const auto& a, const auto& b) {
-            return nearest_depth(a) < nearest_depth(b);
-        });
-    else if (order == PolygonOrder::shuffled)
-        shuffle(polygons, seed);
+    arrange_shapes(polygons, order, seed);
+}
+
+void arrange(std::vector<ScreenTriangle>& triangles, PolygonOrder order, std::uint64_t seed) {
+    arrange_shapes(triangles, order, seed);
 }
 
 }  // namespace rasterloom::host

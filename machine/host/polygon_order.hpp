@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The order in which the host sends a frame's polygons.
+// The order in which the host sends a frame's polygons or triangles.
 #pragma once
 
 #include "machine/fabric/polygon.hpp"
+#include "machine/host/screen_triangle.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -17,5 +18,6 @@ enum class PolygonOrder : std::uint8_t {
 
 // Seed: of `shuffled` only.
 void arrange(std::vector<Polygon>& polygons, PolygonOrder order, std::uint64_t seed);
+void arrange(std::vector<ScreenTriangle>& triangles, PolygonOrder order, std::uint64_t seed);
 
 }  // namespace rasterloom::host

@@ -128,22 +128,26 @@ std::vector<StagePolygon> stage_polygons(Mesh mesh, const PolygonLighting& light
     return stage;
 }
 
-std::vector<Polygon> screen_polygons(const Mesh& mesh, const View& view,
-                                     const PolygonShading& shading,
-                                     PolygonSetupStatistics* statistics) {
-    const auto lens = make_lens(view);
+std::vector<StagePolygon> stage_in_view(Mesh mesh, const View& view,
+                                        const PolygonShading& shading) {
+    check(view);
     const auto rotation = rotation_of(view);
-    Mesh turned = mesh;
-    for (auto& position : turned.positions)
+    for (auto& position : mesh.positions)
         position = rotation * position;
-    for (auto& normal : turned.normals)
+    for (auto& normal : mesh.normals)
         normal = rotation * normal;
     PolygonLighting lighting{view.light, view.ambient, 255, shading.normals, shading.crease_cosine};
-    auto stage = stage_polygons(std::move(turned), lighting);
+    auto stage = stage_polygons(std::move(mesh), lighting);
     for (auto& polygon : stage)
         for (auto& corner : polygon.corners)
             corner.position = place_in_view(corner.position, view);
-    return screen_polygons(stage, lens, statistics);
+    return stage;
+}
+
+std::vector<Polygon> screen_polygons(const Mesh& mesh, const View& view,
+                                     const PolygonShading& shading,
+                                     PolygonSetupStatistics* statistics) {
+    return screen_polygons(stage_in_view(mesh, view, shading), make_lens(view), statistics);
 }
 
 }  // namespace rasterloom::host

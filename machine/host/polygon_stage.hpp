@@ -33,6 +33,11 @@ struct PolygonShading {
     double crease_cosine = 0.766044443118978;
 };
 
+// Likewise of a mesh turned, lit and placed as the view says: what make_lens(view) sees. Throws
+// std::invalid_argument for a view that makes no sense, too.
+std::vector<StagePolygon> stage_in_view(Mesh mesh, const View& view,
+                                        const PolygonShading& shading = {});
+
 // The same object, rotation, place and light as on the geodesic machine (view.hpp): pixels lie
 // where they lie there, depths are those of polygon_setup.hpp. What comes nearer to the viewer than
 // 1/64 of the vanishing distance is cut off.
