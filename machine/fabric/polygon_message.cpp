@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "machine/fabric/polygon_message.hpp"
 
+#include "machine/fabric/message_words.hpp"
+
 #include <cstdlib>
 
 namespace rasterloom {
 
 namespace {
-
-void put_word(std::vector<std::uint8_t>& bytes, int word) {
-    const auto bits = static_cast<std::uint16_t>(word);
-    bytes.push_back(static_cast<std::uint8_t>(bits & 0377U));
-    bytes.push_back(static_cast<std::uint8_t>(bits >> 8U));
-}
-
-std::int16_t word_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
-    return static_cast<std::int16_t>(bytes[offset] | bytes[offset + 1] << 8U);
-}
 
 void put_header(std::vector<std::uint8_t>& bytes, PolygonMessage kind, std::uint8_t hops,
                 int word) {

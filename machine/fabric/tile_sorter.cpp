@@ -12,7 +12,10 @@
 namespace rasterloom {
 
 TileSorter::TileSorter(std::string name, const TileSorterSettings& settings)
-    : Component(std::move(name)), settings_(settings), queues_(settings.queues) {
+    : Component(std::move(name)),
+      settings_(settings),
+      queues_(settings.queues),
+      ends_every_frame_(rasterizers()) {
     if (settings.time_per_triangle < Duration() || settings.time_per_pair < Duration()) {
         throw std::invalid_argument(
             fmt::format("{}: the time to sort a triangle or a pair is not negative", this->name()));
@@ -28,6 +31,12 @@ TileSorter::TileSorter(std::string name, const TileSorterSettings& settings)
 void TileSorter::connect(Simulation& simulation, int index, Rasterizer& rasterizer) {
     simulation.connect(*this, static_cast<PortIndex>(index), rasterizer, Rasterizer::kSorter,
                        Duration::tick());
+}
+
+void TileSorter::connect(Simulation& simulation, int index, TileFeeder& feeder) {
+    simulation.connect(*this, static_cast<PortIndex>(index), feeder, TileFeeder::kSorter,
+                       Duration::tick());
+    ends_every_frame_[static_cast<std::size_t>(index)] = true;
 }
 
 void TileSorter::load(std::vector<TileFrame> frames) {
@@ -136,7 +145,12 @@ void TileSorter::hand_out() {
     state_ = State::drawing;
     records_.back().sorted = now();
     for (std::size_t rasterizer = 0; rasterizer < rasterizers(); ++rasterizer) {
-        drawing_ += grant_next(rasterizer) ? 1U : 0U;
+        if (grant_next(rasterizer)) {
+            ++drawing_;
+        } else if (ends_every_frame_[rasterizer]) {
+            ++drawing_;
+            send_to(rasterizer, TileEvent::no_more, 0);
+        }
     }
     if (drawing_ == 0) {
         end_frame();

@@ -9,7 +9,8 @@
 // for sorting, in which nothing is drawn; then every rasterizer gets the first of its tiles, and
 // the next ones when it asks (machine/fabric/tile_assignment.hpp). Those that ask at the same time
 // are served in the order of their names. The frame ends when every rasterizer has drawn what it
-// got.
+// got; a software rasterizer's feeder (machine/fabric/tile_feeder.hpp) says so when all has been
+// sent, and is told of the end of every frame, also where it got nothing.
 //
 // It is one more node of the supervisor's: a phase is a frame, and when the frame ends it gives its
 // credit back.
@@ -18,6 +19,7 @@
 #include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/rasterizer.hpp"
 #include "machine/fabric/tile_assignment.hpp"
+#include "machine/fabric/tile_feeder.hpp"
 #include "machine/fabric/tile_work.hpp"
 #include "machine/kernel/simulation.hpp"
 
@@ -44,7 +46,7 @@ struct TileSorterStatistics {
 struct TileFrameRecord {
     Time began;
     Time sorted;
-    Time ended;
+    Time ended;  // drawn; by software rasterizers: sent to them
 };
 
 class TileSorter final : public Component {
@@ -52,8 +54,10 @@ class TileSorter final : public Component {
     // Throws std::invalid_argument when a setting is out of range.
     TileSorter(std::string name, const TileSorterSettings& settings);
 
-    // Lays the wire to rasterizer number `index`, 0 to rasterizers - 1.
+    // Lays the wire to rasterizer number `index`, 0 to rasterizers - 1: a hardware one...
     void connect(Simulation& simulation, int index, Rasterizer& rasterizer);
+    // ...or a software one.
+    void connect(Simulation& simulation, int index, TileFeeder& feeder);
 
     // Where a supervisor's wire ends; only if supervised.
     PortIndex supervisor_port() const {
@@ -98,6 +102,7 @@ class TileSorter final : public Component {
     TileQueues queues_;
     std::vector<TileFrame> frames_;
     std::vector<TileFrameRecord> records_;
+    std::vector<bool> ends_every_frame_;  // [rasterizer]
     State state_ = State::waiting;
     bool over_ = false;
     std::size_t drawing_ = 0;  // rasterizers that are not yet done with the frame

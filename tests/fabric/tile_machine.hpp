@@ -111,6 +111,28 @@ inline TileFrame random_frame(TileIndex tiles) {
     return frame;
 }
 
+inline TileQueueSettings random_queues() {
+    TileQueueSettings queues;
+    queues.assignment = *rc::gen::element(TileAssignment::interleaved, TileAssignment::blocks,
+                                          TileAssignment::next_free, TileAssignment::largest_first);
+    queues.columns = *rc::gen::inRange(1, 6);
+    queues.rows = *rc::gen::inRange(1, 6);
+    queues.rasterizers = *rc::gen::inRange(1, 9);
+    queues.pair_weight = *rc::gen::element(0U, 25U, 10'000U);
+    return queues;
+}
+
+inline TileIndex tiles_of(const TileQueueSettings& queues) {
+    return static_cast<TileIndex>(queues.columns * queues.rows);
+}
+
+// One to three.
+inline std::vector<TileFrame> random_frames(const TileQueueSettings& queues) {
+    std::vector<TileFrame> frames(*rc::gen::inRange<std::size_t>(1, 4));
+    std::generate(frames.begin(), frames.end(), [&] { return random_frame(tiles_of(queues)); });
+    return frames;
+}
+
 inline RasterizerSettings random_rasterizer(int least_k) {
     RasterizerSettings settings;
     settings.clock = *rc::gen::element(Clock::with_period(Duration::nanoseconds(10)),

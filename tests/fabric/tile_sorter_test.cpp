@@ -33,33 +33,14 @@ class Spendthrift final : public Component {
 TileMachineSettings random_machine(int least_k) {
     TileMachineSettings settings;
     settings.rasterizer = random_rasterizer(least_k);
-    settings.sorter.queues.assignment =
-        *rc::gen::element(TileAssignment::interleaved, TileAssignment::blocks,
-                          TileAssignment::next_free, TileAssignment::largest_first);
-    settings.sorter.queues.columns = *rc::gen::inRange(1, 6);
-    settings.sorter.queues.rows = *rc::gen::inRange(1, 6);
-    settings.sorter.queues.rasterizers = *rc::gen::inRange(1, 9);
-    settings.sorter.queues.pair_weight = *rc::gen::element(0U, 25U, 10'000U);
+    settings.sorter.queues = random_queues();
     return settings;
-}
-
-TileIndex tiles_of(const TileMachineSettings& settings) {
-    return static_cast<TileIndex>(settings.sorter.queues.columns * settings.sorter.queues.rows);
-}
-
-std::vector<TileFrame> random_frames(const TileMachineSettings& settings) {
-    std::vector<TileFrame> frames;
-    const auto count = *rc::gen::inRange(1, 4);
-    for (int i = 0; i < count; ++i) {
-        frames.push_back(random_frame(tiles_of(settings)));
-    }
-    return frames;
 }
 
 TEST(TileSorter, HasEveryPairDrawnOnceTileByTileInTheOrderOfTheTriangles) {
     EXPECT_TRUE(rc::check([] {
         const TileMachineSettings settings = random_machine(0);
-        const TileFrame frame = random_frame(tiles_of(settings));
+        const TileFrame frame = random_frame(tiles_of(settings.sorter.queues));
         const TileMachine machine(settings, {frame});
         std::map<TileIndex, std::vector<TileWork>> expected;
         for (const TileWork& pair : frame.pairs) {
@@ -91,7 +72,7 @@ TEST(TileSorter, LeavesATileToItsOwner) {
         queues.assignment = *rc::gen::element(TileAssignment::interleaved, TileAssignment::blocks);
         const auto owners =
             owners_of_tiles(queues.assignment, queues.columns, queues.rows, queues.rasterizers);
-        const TileMachine machine(settings, random_frames(settings));
+        const TileMachine machine(settings, random_frames(settings.sorter.queues));
         for (std::size_t r = 0; r < machine.rasterizers.size(); ++r) {
             for (const DrawnPair& pair : machine.heard[r].pairs) {
                 RC_ASSERT(owners[pair.work.tile] == r);
@@ -108,7 +89,7 @@ TEST(TileSorter, GivesTheNextTileToTheRasterizerThatIsFreeFirst) {
         TileQueueSettings& queue = settings.sorter.queues;
         queue.assignment =
             *rc::gen::element(TileAssignment::next_free, TileAssignment::largest_first);
-        const TileFrame frame = random_frame(tiles_of(settings));
+        const TileFrame frame = random_frame(tiles_of(settings.sorter.queues));
         const TileMachine machine(settings, {frame});
         TileQueues order(queue);
         order.fill(frame.pairs);
@@ -130,7 +111,7 @@ TEST(TileSorter, GivesTheNextTileToTheRasterizerThatIsFreeFirst) {
 TEST(TileSorter, EndsTheFrameWhenTheLastRasterizerHasDrawnItsLastTriangle) {
     EXPECT_TRUE(rc::check([] {
         const TileMachineSettings settings = random_machine(1);
-        const TileMachine machine(settings, {random_frame(tiles_of(settings))});
+        const TileMachine machine(settings, {random_frame(tiles_of(settings.sorter.queues))});
         Cycles last;
         for (const TileMachine::Heard& heard : machine.heard) {
             last = std::max(last, heard.pairs.empty() ? Cycles() : heard.pairs.back().drawn);
@@ -143,7 +124,7 @@ TEST(TileSorter, MakesNoDifferenceToASingleRasterizerByHandingOutTilesOneByOne) 
     EXPECT_TRUE(rc::check([] {
         TileMachineSettings settings = random_machine(1);
         settings.sorter.queues.rasterizers = 1;
-        const TileFrame frame = random_frame(tiles_of(settings));
+        const TileFrame frame = random_frame(tiles_of(settings.sorter.queues));
         settings.sorter.queues.assignment = TileAssignment::next_free;
         const TileMachine one_by_one(settings, {frame});
         settings.sorter.queues.assignment = TileAssignment::interleaved;
@@ -178,7 +159,7 @@ TEST(TileSorter, SortsTheWholeFrameBeforeAnythingIsDrawn) {
 TEST(TileSorter, DrawsTheSameFrameInTheSameTimeAgain) {
     EXPECT_TRUE(rc::check([] {
         const TileMachineSettings settings = random_machine(1);
-        const TileFrame frame = random_frame(tiles_of(settings));
+        const TileFrame frame = random_frame(tiles_of(settings.sorter.queues));
         const TileMachine machine(settings, {frame, frame});
         RC_ASSERT(machine.drawing_cycles(0) == machine.drawing_cycles(1));
     }));
@@ -193,7 +174,7 @@ TEST(TileSorter, BeginsAFrameWhenTheSupervisorHasSeenTheOneBeforeDrawn) {
         settings.sorter.supervised = true;
         settings.supervisor.latency = Duration::picoseconds(*rc::gen::inRange(2, 90'000));
         settings.supervisor.frames = *rc::gen::inRange(1, 7);
-        const std::vector<TileFrame> frames = random_frames(settings);
+        const std::vector<TileFrame> frames = random_frames(settings.sorter.queues);
         const TileMachine machine(settings, frames);
         RC_ASSERT(machine.result.end == RunEnd::finished);
         const std::vector<TileFrameRecord>& records = machine.sorter->frames();
@@ -215,8 +196,8 @@ TEST(TileSorter, BeginsAFrameWhenTheSupervisorHasSeenTheOneBeforeDrawn) {
 TEST(TileSorter, DrawsUnderASupervisorWhatItDrawsWithoutOne) {
     EXPECT_TRUE(rc::check([] {
         TileMachineSettings settings = random_machine(1);
-        const TileFrame first = random_frame(tiles_of(settings));
-        const TileFrame second = random_frame(tiles_of(settings));
+        const TileFrame first = random_frame(tiles_of(settings.sorter.queues));
+        const TileFrame second = random_frame(tiles_of(settings.sorter.queues));
         const TileMachine alone(settings, {first, second, first});
         settings.sorter.supervised = true;
         settings.supervisor.frames = 3;
@@ -303,7 +284,7 @@ std::string all_times(const TileMachine& machine) {
 TEST(TileSorter, DoesTheSameOnAnyNumberOfThreads) {
     EXPECT_TRUE(rc::check([] {
         TileMachineSettings settings = random_machine(0);
-        const std::vector<TileFrame> frames = random_frames(settings);
+        const std::vector<TileFrame> frames = random_frames(settings.sorter.queues);
         const std::string alone = all_times(TileMachine(settings, frames));
         settings.threads = *rc::gen::inRange<std::size_t>(2, 5);
         const TileMachine divided(settings, frames);
