@@ -6,6 +6,7 @@
 #include "machine/config/error.hpp"
 #include "machine/host/polygon_projection.hpp"
 #include "machine/host/polygon_stage.hpp"
+#include "machine/host/texture_places.hpp"
 #include "machine/host/triangle_file.hpp"
 #include "machine/host/triangle_scenes.hpp"
 
@@ -14,6 +15,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -50,8 +52,9 @@ std::vector<host::ScreenTriangle> mesh_scene(const TrianglesOptions& options) {
                               .target = place(options.target),
                               .field_of_view = options.field_of_view};
     const auto lens = host::make_lens(camera, options.random.width, options.random.height);
-    auto triangles =
-        host::triangles_through_lens(host::stage_polygons(make_mesh(options.mesh)), lens);
+    host::Mesh mesh = make_mesh(options.mesh);
+    host::add_texture_coordinates(mesh);
+    auto triangles = host::triangles_through_lens(host::stage_polygons(std::move(mesh)), lens);
     if (triangles.empty()) {
         throw std::invalid_argument(
             "nothing of the mesh is visible, expected a view of its front; --eye, --target, "

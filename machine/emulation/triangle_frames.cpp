@@ -6,6 +6,7 @@
 #include "machine/host/polygon_order.hpp"
 #include "machine/host/polygon_projection.hpp"
 #include "machine/host/polygon_stage.hpp"
+#include "machine/host/texture_places.hpp"
 #include "machine/host/triangle_file.hpp"
 #include "machine/host/triangle_scenes.hpp"
 
@@ -41,7 +42,8 @@ host::Lens make_lens(const MachineDescription& machine, const host::View& view) 
 }
 
 Frames object_frames(const MachineDescription& machine) {
-    const host::Mesh object = make_object(machine, host::Polygons::as_in_file);
+    host::Mesh object = make_object(machine, host::Polygons::as_in_file);
+    host::add_texture_coordinates(object);
     host::View view = make_view(machine);
     if (machine.scene->camera.eye) {  // it is the camera that comes and goes
         view.scale = 1;

@@ -65,7 +65,7 @@ std::array<Plane, 5> planes_of(const Lens& lens) {
 LensCorner between(const LensCorner& a, const LensCorner& b, double share) {
     const auto mix = [share](double from, double to) { return from + share * (to - from); };
     return {mix(a.right, b.right), mix(a.up, b.up), mix(a.distance, b.distance),
-            mix(a.grey, b.grey)};
+            mix(a.grey, b.grey), a.texture + share * (b.texture - a.texture)};
 }
 
 std::vector<LensCorner> inside_of(const Plane& plane, const std::vector<LensCorner>& corners) {
@@ -130,7 +130,7 @@ glm::dvec3 place_in_view(const glm::dvec3& turned, const View& view) {
 LensCorner through_lens(const StageCorner& corner, const Lens& lens) {
     const auto from_eye = corner.position - lens.eye;
     return {glm::dot(from_eye, lens.right), glm::dot(from_eye, lens.up),
-            glm::dot(from_eye, lens.forward), corner.grey};
+            glm::dot(from_eye, lens.forward), corner.grey, corner.texture};
 }
 
 glm::dvec2 place_on_screen(const LensCorner& corner, const Lens& lens) {

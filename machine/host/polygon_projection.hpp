@@ -38,6 +38,7 @@ glm::dvec3 place_in_view(const glm::dvec3& turned, const View& view);
 struct LensCorner {
     double right = 0, up = 0, distance = 0;  // along the lens' axes
     double grey = 0;
+    glm::dvec2 texture{0, 0};
 };
 
 LensCorner through_lens(const StageCorner& corner, const Lens& lens);

@@ -30,7 +30,7 @@ constexpr double kEdgeOnCosine = 1e-9;
 
 void check(std::size_t index, const StagePolygon& polygon) {
     for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
-        const auto& [p, grey] = polygon.corners[k];
+        const auto& [p, grey, texture] = polygon.corners[k];
         for (const double coordinate : {p.x, p.y, p.z})
             if (!(std::abs(coordinate) <= kGreatestCoordinate))
                 fail(index, fmt::format("corner {} stands at ({}, {}, {}), expected finite "

@@ -26,6 +26,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace rasterloom::host {
@@ -34,7 +35,8 @@ struct Lens;
 
 struct StageCorner {
     glm::dvec3 position{0, 0, 0};
-    double grey = 0;  // level, 0 to 255
+    double grey = 0;           // level, 0 to 255
+    glm::dvec2 texture{0, 0};  // place in a texture (texture_places.hpp); polygons have none
 };
 
 // Planar; the corners run counter-clockwise as its front is seen. Corners that repeat their

@@ -4,6 +4,7 @@
 #include "machine/host/polygon_convex.hpp"
 #include "machine/host/polygon_projection.hpp"
 #include "machine/host/projection.hpp"
+#include "machine/host/texture_places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,27 @@ class FanWalk {
     std::uint32_t next_ = 0;
 };
 
+// Not lit yet.
+StagePolygon placed_polygon(const Mesh& mesh, const Mesh::Polygon& polygon) {
+    StagePolygon staged;
+    staged.corners.reserve(polygon.corners.size());
+    for (const auto corner : polygon.corners)
+        staged.corners.push_back({mesh.positions[corner]});
+    if (!mesh.texture_coordinates.empty()) {
+        const auto places = texture_places(mesh, polygon.corners);
+        for (std::size_t k = 0; k < places.size(); ++k)
+            staged.corners[k].texture = places[k];
+    }
+    return staged;
+}
+
+glm::dvec3 area_of(const StagePolygon& polygon) {
+    std::vector<glm::dvec3> positions;
+    for (const auto& corner : polygon.corners)
+        positions.push_back(corner.position);
+    return area_vector(positions);
+}
+
 double grey_of(const glm::dvec3& normal, const PolygonLighting& lighting) {
     const double cosine = glm::dot(normal, glm::normalize(lighting.light));
     const double intensity = lighting.ambient + (1 - lighting.ambient) * std::max(0.0, cosine);
@@ -110,19 +132,18 @@ std::vector<StagePolygon> stage_polygons(Mesh mesh, const PolygonLighting& light
     stage.reserve(mesh.polygons.size());
     for (const auto& polygon : mesh.polygons) {
         const auto fan = fans.next(polygon);
-        auto places = positions_of(mesh, polygon);
+        auto staged = placed_polygon(mesh, polygon);
         if (fans.is_turned(fan))
-            std::reverse(places.begin(), places.end());
-        const auto area = area_vector(places);
+            std::reverse(staged.corners.begin(), staged.corners.end());
+        const auto area = area_of(staged);
         if (!(glm::dot(area, area) > 0))
             continue;  // a part of a division
         const auto face = glm::normalize(area);
-        StagePolygon staged;
-        for (const auto& place : places)
-            staged.corners.push_back({place, grey_of(lighting.normals == NormalStyle::face
-                                                         ? face
-                                                         : fans.normal_at(fan, place, face),
-                                                     lighting)});
+        for (auto& corner : staged.corners)
+            corner.grey = grey_of(lighting.normals == NormalStyle::face
+                                      ? face
+                                      : fans.normal_at(fan, corner.position, face),
+                                  lighting);
         stage.push_back(std::move(staged));
     }
     return stage;

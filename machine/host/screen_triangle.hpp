@@ -18,7 +18,8 @@ namespace rasterloom::host {
 
 using topology::PixelBox;
 
-inline constexpr int kSubpixels = 16;  // units of x and y a pixel
+inline constexpr int kSubpixels = 16;          // units of x and y a pixel
+inline constexpr int kTextureUnits = 1 << 16;  // units of u and v a texture
 inline constexpr std::int32_t kFarthestVertex = std::int32_t{topology::kFarthestPixel} * kSubpixels;
 
 struct ScreenVertex {
@@ -26,7 +27,7 @@ struct ScreenVertex {
     std::int32_t y = 0;      // likewise, downwards
     std::int32_t depth = 0;  // 0 (nearest) to kFarthest (machine/fabric/polygon.hpp)
     std::int32_t shade = 0;  // grey level times kShadeUnit: 0 to 255 * kShadeUnit
-    std::int32_t u = 0;      // 1/65536 of a texture's width from its left, 0 to 65535
+    std::int32_t u = 0;      // 1/kTextureUnits of a texture's width from its left, 0 to 65535
     std::int32_t v = 0;      // likewise of its height, from its top
 
     friend bool operator==(const ScreenVertex&, const ScreenVertex&) = default;

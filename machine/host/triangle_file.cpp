@@ -5,6 +5,7 @@
 #include "machine/host/atomic_file.hpp"
 #include "topologies/text_line.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -31,6 +32,36 @@ ScreenVertex read_vertex(TextLine& line) {
     return vertex;
 }
 
+std::int32_t read_texture_place(TextLine& line, const char* what) {
+    return std::min(to_units(line.decimal(what, 0, 1), kTextureUnits), kTextureUnits - 1);
+}
+
+ScreenTriangle read_triangle(TextLine& line) {
+    ScreenTriangle triangle;
+    for (ScreenVertex& vertex : triangle.vertices)
+        vertex = read_vertex(line);
+    if (line.at_end())
+        return triangle;
+    for (ScreenVertex& vertex : triangle.vertices) {
+        vertex.u = read_texture_place(line, "u");
+        vertex.v = read_texture_place(line, "v");
+    }
+    line.expect_end("the third vertex' u and v");
+    return triangle;
+}
+
+bool is_textured(const ScreenTriangle& triangle) {
+    return std::any_of(triangle.vertices.begin(), triangle.vertices.end(),
+                       [](const ScreenVertex& vertex) { return vertex.u != 0 || vertex.v != 0; });
+}
+
+// Five digits tell 1/kTextureUnits apart.
+void append_texture_places(fmt::memory_buffer& text, const ScreenTriangle& triangle) {
+    for (const ScreenVertex& vertex : triangle.vertices)
+        fmt::format_to(std::back_inserter(text), "  {:.5g} {:.5g}", 1.0 * vertex.u / kTextureUnits,
+                       1.0 * vertex.v / kTextureUnits);
+}
+
 }  // namespace
 
 std::vector<ScreenTriangle> read_triangles(std::istream& in, const std::string& name) {
@@ -38,11 +69,7 @@ std::vector<ScreenTriangle> read_triangles(std::istream& in, const std::string& 
     topology::for_each_line(in, name, [&](TextLine& line) {
         if (triangles.size() == kMostTriangles)
             line.fail(fmt::format("the end of the file after {} triangles", kMostTriangles));
-        ScreenTriangle triangle;
-        for (ScreenVertex& vertex : triangle.vertices)
-            vertex = read_vertex(line);
-        line.expect_end("the third vertex");
-        triangles.push_back(triangle);
+        triangles.push_back(read_triangle(line));
     });
     if (triangles.empty())
         throw TextFileError(fmt::format(
@@ -57,12 +84,16 @@ std::vector<ScreenTriangle> load_triangles(const std::filesystem::path& path) {
 
 std::string triangles_as_text(std::span<const ScreenTriangle> triangles) {
     fmt::memory_buffer text;
-    for (const ScreenTriangle& triangle : triangles)
+    for (const ScreenTriangle& triangle : triangles) {
         for (const ScreenVertex& vertex : triangle.vertices)
-            fmt::format_to(std::back_inserter(text), "{} {} {} {}{}", 1.0 * vertex.x / kSubpixels,
-                           1.0 * vertex.y / kSubpixels, vertex.depth,
-                           1.0 * vertex.shade / kShadeUnit,
-                           &vertex == &triangle.vertices.back() ? "\n" : "  ");
+            fmt::format_to(std::back_inserter(text), "{}{} {} {} {}",
+                           &vertex == &triangle.vertices.front() ? "" : "  ",
+                           1.0 * vertex.x / kSubpixels, 1.0 * vertex.y / kSubpixels, vertex.depth,
+                           1.0 * vertex.shade / kShadeUnit);
+        if (is_textured(triangle))
+            append_texture_places(text, triangle);
+        text.push_back('\n');
+    }
     return fmt::to_string(text);
 }
 

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "machine/host/triangle_scene.hpp"
 
-#include "topologies/angles.hpp"
+#include "machine/host/texture_places.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 namespace rasterloom::host {
 namespace {
 
 constexpr int kVertexWords = 7;
-
-using Coordinates = std::array<glm::dvec2, 3>;
 
 std::array<std::int16_t, 3> rounded(const glm::dvec3& v) {
     const auto nearest = [](double value) {
@@ -27,34 +24,6 @@ std::array<std::int16_t, 3> rounded(const glm::dvec3& v) {
 // other side of the texture.
 std::uint8_t to_byte(double share) {
     return static_cast<std::uint8_t>(std::clamp(std::floor(256 * share - 0.5), 0.0, 254.0));
-}
-
-// A file's v counts upwards. Coordinates beyond one texture repeat it; a triangle goes as a whole.
-Coordinates from_mesh(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
-    Coordinates result;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec2& given = mesh.texture_coordinates[corners[k]];
-        result[k] = {given.x, 1 - given.y};
-    }
-    const glm::dvec2 whole = glm::floor(glm::min(glm::min(result[0], result[1]), result[2]));
-    for (glm::dvec2& coordinate : result)
-        coordinate -= whole;
-    return result;
-}
-
-Coordinates spherical(const std::array<glm::dvec3, 3>& places) {
-    Coordinates result;
-    std::array<bool, 3> is_pole{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3& p = places[k];
-        const auto direction = topology::to_spherical({p.x, p.y, p.z});
-        is_pole[k] = p.x == 0 && p.y == 0;
-        result[k] = {1 - std::abs(direction.phi - 180) / 180, direction.theta / 180};
-    }
-    for (std::size_t k = 0; k < 3; ++k)  // a pole has no longitude of its own
-        if (is_pole[k])
-            result[k].x = (result[(k + 1) % 3].x + result[(k + 2) % 3].x) / 2;
-    return result;
 }
 
 class SceneBuilder {
@@ -78,22 +47,24 @@ class SceneBuilder {
         SceneTriangle result;
         result.colour = material_.colour;
         result.texture = material_.textures.empty() ? 0 : 1;
-        const Coordinates coordinates = texture_coordinates(t);
+        const std::vector<glm::dvec2> places = places_in_texture(t);
         for (std::size_t k = 0; k < 3; ++k) {
             SceneVertex& vertex = result.vertices[k];
             vertex.place = rounded(surface_.positions[surface_.triangles[t].vertices[k]]);
             vertex.normal = rounded(static_cast<double>(kUnitNormal) * surface_.normals[t][k]);
-            vertex.u = to_byte(coordinates[k].x);
-            vertex.v = to_byte(coordinates[k].y);
+            vertex.u = to_byte(places[k].x);
+            vertex.v = to_byte(places[k].y);
         }
         return result;
     }
 
-    Coordinates texture_coordinates(std::size_t t) const {
+    std::vector<glm::dvec2> places_in_texture(std::size_t t) const {
         if (!mesh_.texture_coordinates.empty())
-            return from_mesh(mesh_, surface_.mesh_corners[t]);
+            return texture_places(mesh_, surface_.mesh_corners[t]);
         const auto& [a, b, c] = surface_.triangles[t].vertices;
-        return spherical({surface_.positions[a], surface_.positions[b], surface_.positions[c]});
+        const std::array<glm::dvec3, 3> corners{surface_.positions[a], surface_.positions[b],
+                                                surface_.positions[c]};
+        return spherical_places(corners);
     }
 
     const Mesh& mesh_;

@@ -45,10 +45,15 @@ class DepthRange {
     double greatest_ = 0;
 };
 
+std::int32_t texture_units(double share) {
+    return nearest(std::clamp(share * kTextureUnits, 0.0, kTextureUnits - 1.0));
+}
+
 ScreenVertex vertex_of(const LensCorner& corner, const Lens& lens, const DepthRange& range) {
     const glm::dvec2 place = place_on_screen(corner, lens);
-    return {nearest(kSubpixels * place.x), nearest(kSubpixels * place.y),
-            range.depth(corner.distance), nearest(kShadeUnit * corner.grey)};
+    return {nearest(kSubpixels * place.x),   nearest(kSubpixels * place.y),
+            range.depth(corner.distance),    nearest(kShadeUnit * corner.grey),
+            texture_units(corner.texture.x), texture_units(corner.texture.y)};
 }
 
 void check(const RandomTriangles& options) {
@@ -138,8 +143,11 @@ class RandomTriangle {
             const double x = is_mirrored ? 1 - corners[k].x : corners[k].x;
             const double y = is_upside_down ? 1 - corners[k].y : corners[k].y;
             triangle.vertices[k] = {nearest(kSubpixels * (from.x + x * box.x)),
-                                    nearest(kSubpixels * (from.y + y * box.y)), upto(kFarthest),
-                                    upto(255 * kShadeUnit)};
+                                    nearest(kSubpixels * (from.y + y * box.y)),
+                                    upto(kFarthest),
+                                    upto(255 * kShadeUnit),
+                                    k == 1 ? kTextureUnits - 1 : 0,
+                                    k == 2 ? kTextureUnits - 1 : 0};
         }
         return triangle;
     }

@@ -14,7 +14,8 @@ namespace rasterloom::host {
 
 // What is visible of the stage's convex polygons, in their order: each is cut off at the picture's
 // sides and before `near` (clip() of polygon_projection.hpp), its vertices are rounded to 1/16
-// pixel, and what is left is a fan of triangles about its first vertex. Triangles that then show
+// pixel, and what is left is a fan of triangles about its first vertex. Places beyond one texture
+// are held to it. Triangles that then show
 // their back or have no area are left out. Depths are those of polygon_setup.hpp: 32766 (1/d_least
 // - 1/d) / (1/d_least - 1/d_greatest), by all distances d in the picture.
 std::vector<ScreenTriangle> triangles_through_lens(std::span<const StagePolygon> stage,
@@ -36,7 +37,8 @@ struct RandomTriangles {
     double aspect = 1;  // longer over shorter side of a box, 1 to 1000; less at the screen's sides
 };
 
-// A corner of each triangle is one of its bounding box'; upright and lying boxes, all four corners,
+// A corner of each triangle is one of its bounding box', and the left upper half of a texture is
+// spread over it; upright and lying boxes, all four corners,
 // depths and grey levels are equally likely. Vertices are rounded to 1/16 pixel; a triangle that
 // has no area then becomes a right-angled one with sides of 1/16 pixel or more. Throws
 // std::invalid_argument for values out of range, and when the largest box has more pixels than the
