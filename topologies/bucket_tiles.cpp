@@ -2,11 +2,32 @@
 #include "topologies/bucket_tiles.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 namespace rasterloom::topology {
+
+TileSize parse_tile_size(std::string_view text) {
+    TileSize tile;
+    const char* const end = text.data() + text.size();
+    auto read = std::from_chars(text.data(), end, tile.width);
+    tile.height = tile.width;
+    if (read.ec == std::errc{} && read.ptr != end && *read.ptr == 'x') {
+        read = std::from_chars(read.ptr + 1, end, tile.height);
+    }
+    if (read.ec != std::errc{} || read.ptr != end) {
+        throw std::invalid_argument(fmt::format(
+            "'{}', expected a number of pixels such as 8, or width and height such as 32x16",
+            text));
+    }
+    return tile;
+}
+
+std::string name_of(TileSize tile) {
+    return fmt::format("{} x {}", tile.width, tile.height);
+}
 
 BucketTiles::BucketTiles(int screen_width, int screen_height, TileSize tile)
     : screen_width_(screen_width), screen_height_(screen_height), tile_(tile) {

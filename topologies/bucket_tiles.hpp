@@ -7,6 +7,8 @@
 #include "topologies/tile_index.hpp"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace rasterloom::topology {
 
@@ -16,6 +18,12 @@ struct TileSize {
 
     friend bool operator==(const TileSize&, const TileSize&) = default;
 };
+
+// "8" or "32x16", width first. Throws std::invalid_argument, saying what was expected; the numbers
+// may be any.
+TileSize parse_tile_size(std::string_view text);
+// "32 x 16".
+std::string name_of(TileSize tile);
 
 class BucketTiles {
   public:

@@ -16,6 +16,8 @@ namespace rasterloom::topology {
 
 namespace {
 
+constexpr int kMostRasterizers = 4096;
+
 int whole_number(const Parameters& parameters, const std::string& name) {
     const std::string& text = parameters.at(name);
     int value = 0;
@@ -79,6 +81,42 @@ Topology make_tiling(const std::string& kind, const Tiling& tiling) {
     }
     t.ports.resize(t.nodes.size());
     return t;
+}
+
+Topology make_bucket_tiler(TileSize tile, int rasterizers) {
+    if (rasterizers < 1 || rasterizers > kMostRasterizers) {
+        throw TopologyError("rasterizers", fmt::format("rasterizers is {}; expected 1 to {}",
+                                                       rasterizers, kMostRasterizers));
+    }
+    Topology t;
+    t.kind = "bucket_tiles";
+    t.tile = tile;
+    t.nodes.resize(static_cast<std::size_t>(rasterizers));
+    const std::size_t digits = std::to_string(rasterizers - 1).size();
+    for (std::size_t node = 0; node < t.nodes.size(); ++node) {
+        t.nodes[node].name = fmt::format("R{:0{}}", node, digits);  // in alphabetical order, too
+    }
+    t.ports.resize(t.nodes.size());
+    return t;
+}
+
+// Chen and others 1998.
+TopologyKind bucket_tiler_kind() {
+    return {"bucket_tiles",
+            "a tile sorter hands the triangles of each tile of the screen to rasterizers, tile by "
+            "tile",
+            {{"tile", "pixels of a tile, such as 8, or 32x16", std::nullopt},
+             {"rasterizers", "how many, at least 1", "1"}},
+            [](const Parameters& p) {
+                try {
+                    return make_bucket_tiler(parse_tile_size(p.at("tile")),
+                                             whole_number(p, "rasterizers"));
+                } catch (const TopologyError&) {
+                    throw;
+                } catch (const std::invalid_argument& problem) {
+                    throw TopologyError("tile", fmt::format("tile is {}", problem.what()));
+                }
+            }};
 }
 
 // Parks' machines (Parks 1982, chapter 3).
@@ -151,6 +189,7 @@ std::vector<TopologyKind> topology_kinds() {
     for (TopologyKind& kind : tiling_kinds()) {
         kinds.push_back(std::move(kind));
     }
+    kinds.push_back(bucket_tiler_kind());
     std::sort(kinds.begin(), kinds.end(),
               [](const TopologyKind& a, const TopologyKind& b) { return a.name < b.name; });
     return kinds;

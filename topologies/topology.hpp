@@ -3,6 +3,7 @@
 // nodes stand.
 #pragma once
 
+#include "topologies/bucket_tiles.hpp"
 #include "topologies/node_index.hpp"
 #include "topologies/tiling.hpp"
 
@@ -38,6 +39,9 @@ struct Topology {
     // Parks' machines only: the nodes, "P0" and so on, have no ports among themselves but shares of
     // the screen.
     std::optional<Tiling> tiling;
+    // Bucket tilers only: the nodes, "R0" and so on, have no ports either; they draw tiles of this
+    // size.
+    std::optional<TileSize> tile;
 };
 
 }  // namespace rasterloom::topology

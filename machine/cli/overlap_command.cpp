@@ -6,7 +6,6 @@
 #include "machine/host/overlap_census.hpp"
 #include "machine/host/triangle_file.hpp"
 
-#include <charconv>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -32,26 +31,12 @@ struct OverlapOptions {
     bool as_json = false;
 };
 
-// "8" or "32x16".
-TileSize parse_tile(const std::string& text) {
-    TileSize tile;
-    const char* const end = text.data() + text.size();
-    auto read = std::from_chars(text.data(), end, tile.width);
-    tile.height = tile.width;
-    if (read.ec == std::errc{} && read.ptr != end && *read.ptr == 'x') {
-        read = std::from_chars(read.ptr + 1, end, tile.height);
+TileSize tile_size(const std::string& text) {
+    try {
+        return topology::parse_tile_size(text);
+    } catch (const std::invalid_argument& problem) {
+        throw std::invalid_argument(fmt::format("--tile: {}", problem.what()));
     }
-    if (read.ec != std::errc{} || read.ptr != end) {
-        throw std::invalid_argument(fmt::format(
-            "--tile: '{}', expected a number of pixels such as 8, or width and height such as "
-            "32x16",
-            text));
-    }
-    return tile;
-}
-
-std::string name_of(const TileSize& tile) {
-    return fmt::format("{} x {}", tile.width, tile.height);
 }
 
 struct Overlaps {
@@ -64,7 +49,7 @@ Overlaps count(const OverlapOptions& options) {
     try {
         Overlaps result;
         for (const std::string& tile : options.tiles) {
-            result.tiles.emplace_back(options.width, options.height, parse_tile(tile));
+            result.tiles.emplace_back(options.width, options.height, tile_size(tile));
         }
         const auto triangles = host::load_triangles(options.triangles);
         result.triangles = host::count_triangles(triangles, options.width, options.height);
@@ -119,7 +104,7 @@ void print_table(const OverlapOptions& options, const Overlaps& overlaps) {
     for (std::size_t k = 0; k < overlaps.tiles.size(); ++k) {
         const auto tile = overlaps.tiles[k].tile_size();
         const auto& found = overlaps.counts[k];
-        fmt::print("{:>12}{:>10}{:>14.3f}{:>10.3f}{:>10.3f}{:>15.3f}\n", name_of(tile),
+        fmt::print("{:>12}{:>10}{:>14.3f}{:>10.3f}{:>10.3f}{:>15.3f}\n", topology::name_of(tile),
                    overlaps.tiles[k].tiles(), scene.per_visible(found.bounding_box),
                    scene.per_visible(found.exact), scene.per_visible(found.covered),
                    host::molnar_eyles_overlap(scene.mean_area(), tile, options.box_ratio));

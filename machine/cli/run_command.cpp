@@ -73,6 +73,10 @@ void write_statistics(const emulation::RunOutcome& outcome, const observe::Outpu
         observe::write_file_whole(folder.file("procedures.csv"),
                                   observe::procedures_csv(*outcome.report.array));
     }
+    if (outcome.report.buckets) {
+        observe::write_file_whole(folder.file("rasterizers.csv"),
+                                  observe::rasterizers_csv(*outcome.report.buckets));
+    }
     if (outcome.report.fabric.empty()) {
         observe::write_file_whole(folder.file("links.csv"), observe::links_csv(outcome.report));
     } else {

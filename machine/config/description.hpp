@@ -5,7 +5,9 @@
 
 #include "machine/config/error.hpp"
 #include "machine/config/units.hpp"
+#include "machine/fabric/tile_assignment.hpp"
 #include "machine/host/polygon_order.hpp"
+#include "machine/host/tile_overlap.hpp"
 #include "machine/kernel/time.hpp"
 #include "machine/node/message_ports.hpp"
 
@@ -107,6 +109,36 @@ struct HostDescription {
     std::int64_t seed = 1;  // of shuffled
 };
 
+// What a tile counts for where rasterizers take the largest first.
+enum class TileMeasure : std::uint8_t {
+    triangles,  // all that a sorter by bounding box knows
+    pixels,     // those to be drawn in it
+    work,       // its time on a hardware rasterizer, the pipeline kept full
+};
+
+// Between the host and the rasterizers of a bucket tiler.
+struct SorterDescription {
+    host::OverlapRule rule = host::OverlapRule::bounding_box;
+    TileAssignment assignment = TileAssignment::interleaved;
+    TileMeasure largest_by = TileMeasure::triangles;
+    Duration time_per_triangle;
+    Duration time_per_pair;
+    Duration time_per_word;  // to a software rasterizer
+};
+
+enum class RasterizerKind : std::uint8_t {
+    hardware,  // a triangle unit and a pixel unit in a pipeline
+    software,  // a processor of nodes.* that runs nodes.program
+};
+
+struct RasterizerDescription {
+    RasterizerKind kind = RasterizerKind::hardware;
+    std::int64_t cycles_per_triangle = 25;  // hardware, as the next two
+    std::int64_t cycles_per_pixel = 1;
+    std::optional<std::int64_t> fifo = 1;  // triangles between the units; none: unlimited
+    std::int64_t input_fifo = 4;           // messages that wait at a software rasterizer
+};
+
 struct SupervisorDescription {
     Duration latency = Duration::microseconds(5);
 };
@@ -181,10 +213,12 @@ struct MachineDescription {
     std::string machine;
     TopologyDescription topology;
     NodeDescription nodes;
-    ArrayDescription array;    // of lock-step machines
-    LinkDescription links;     // of machines that are graphs
-    FabricDescription fabric;  // of machines that deal out the screen
-    HostDescription host;      // likewise
+    ArrayDescription array;            // of lock-step machines
+    LinkDescription links;             // of machines that are graphs
+    FabricDescription fabric;          // of machines that deal out the screen
+    HostDescription host;              // likewise
+    SorterDescription sorter;          // of bucket tilers
+    RasterizerDescription rasterizer;  // likewise
     SupervisorDescription supervisor;
     ScreenDescription screen;
     std::optional<SceneDescription>
@@ -194,6 +228,13 @@ struct MachineDescription {
     // Where each value was written; defaults are missing. Lets later steps (a program that does not
     // assemble, a cost parameter the ISA does not know) point at the line.
     std::map<std::string, Position, std::less<>> written;
+
+    // Whether its nodes are rasterizers of triangles that a tile sorter hands out.
+    bool is_bucket_tiler() const { return topology.kind == "bucket_tiles"; }
+    // Whether its nodes run a program.
+    bool has_program() const {
+        return !is_bucket_tiler() || rasterizer.kind == RasterizerKind::software;
+    }
 
     // An error about the value of `key`; points at the file when the value is a default.
     ConfigError error(const std::string& key, const std::string& value, const std::string& what,

@@ -59,7 +59,8 @@ class Reader {
 
     void check_required(const Position& where) const {
         for (const Field& field : fields_) {
-            if (field.required && !machine_.written.contains(field.path)) {
+            const bool idle = field.path == "nodes.program" && !machine_.has_program();
+            if (field.required && !idle && !machine_.written.contains(field.path)) {
                 refuse(where, field.path, {}, "missing", field.expected);
             }
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The keys of a machine: everything but the scene.
 #include "machine/config/array_fields.hpp"
+#include "machine/config/bucket_fields.hpp"
 #include "machine/config/fabric_fields.hpp"
 #include "machine/config/field.hpp"
 #include "machine/config/field_builders.hpp"
@@ -156,16 +157,19 @@ Field clock_field() {
 }
 
 Field program_field() {
-    return {"nodes.program",
-            "a file: .s is assembled, .bin is a raw image, anything else an a.out file",
-            "what every node runs; looked for beside the configuration, then under programs/",
-            true,
-            [](MachineDescription& machine, const Value& value, const Locator& locator) {
-                machine.nodes.program = find_file(value, locator, locator.programs());
-            },
-            [](const MachineDescription& machine) {
-                return yaml_scalar(machine.nodes.program.path.string());
-            }};
+    return {
+        "nodes.program",
+        "a file: .s is assembled, .bin is a raw image, anything else an a.out file",
+        "what every node runs, but for hardware rasterizers; looked for beside the configuration, "
+        "then under programs/",
+        true,
+        [](MachineDescription& machine, const Value& value, const Locator& locator) {
+            machine.nodes.program = find_file(value, locator, locator.programs());
+        },
+        [](const MachineDescription& machine) {
+            const std::string path = machine.nodes.program.path.string();
+            return path.empty() ? path : yaml_scalar(path);
+        }};
 }
 
 void read_symbols(MachineDescription& machine, const Value& value, const Locator&) {
@@ -330,6 +334,7 @@ std::vector<Field> machine_fields() {
     add_array_fields(fields);
     add_link_fields(fields);
     add_fabric_fields(fields);
+    add_bucket_fields(fields);
     fields.push_back(duration_field(
         "supervisor.latency", "from the end of a phase to its announcement; at least 2ps",
         [](auto& machine) -> auto& { return machine.supervisor.latency; }));

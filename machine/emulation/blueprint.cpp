@@ -11,17 +11,21 @@ Blueprint::Blueprint(const config::MachineDescription& machine, isa::IsaRegistry
     : description(machine),
       isa(select_isa(registry, machine)),
       topology(make_wiring(machine)),
-      image(std::make_shared<const isa::Image>(load_program(isa, machine))) {
+      image(machine.has_program() ? std::make_shared<const isa::Image>(load_program(isa, machine))
+                                  : std::make_shared<const isa::Image>()) {
     check_keys_matter(machine, topology);
     if (is_lockstep()) {
         check_array(*this);
     }
+    if (topology.tile) {
+        tiles = make_tiles(machine, topology);
+    }
+    if ((topology.tiling || tiles) && !machine.scene) {
+        throw machine.error("scene", {}, "missing: a machine that deals out the screen draws one",
+                            tiles ? "a scene such as scenes/chen-quake.yaml"
+                                  : "a scene such as scenes/runway.yaml");
+    }
     if (topology.tiling) {
-        if (!machine.scene) {
-            throw machine.error("scene", {},
-                                "missing: a machine that deals out the screen draws one",
-                                "a scene such as scenes/runway.yaml");
-        }
         if (machine.fabric.half_digested && topology.tiling->interlaced() == 1) {
             throw machine.error("fabric.half_digested", "true",
                                 "nobody shares the set-up where each part has one processor",

@@ -5,6 +5,7 @@
 
 #include "isa/registry.hpp"
 #include "machine/config/description.hpp"
+#include "topologies/bucket_tiles.hpp"
 #include "topologies/tiling.hpp"
 #include "topologies/topology.hpp"
 
@@ -25,7 +26,8 @@ struct Blueprint {
     const isa::Isa& isa;
     topology::Topology topology;
     std::optional<topology::Distribution> distribution;  // of a topology with a tiling
-    std::shared_ptr<const isa::Image> image;
+    std::optional<topology::BucketTiles> tiles;          // of a bucket tiler
+    std::shared_ptr<const isa::Image> image;             // empty where nodes run no program
 };
 
 }  // namespace rasterloom::emulation

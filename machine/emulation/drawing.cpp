@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -162,9 +163,41 @@ void draw_columns(MachineDrawing& drawing) {
     }
 }
 
+// Whose each pixel was last; pixels of tiles that nobody has drawn have an owner beyond all nodes.
+std::vector<topology::NodeIndex> drawers_of_pixels(const topology::BucketTiles& tiles,
+                                                   const TileSorter& sorter) {
+    constexpr auto kNobody = std::numeric_limits<topology::NodeIndex>::max();
+    std::vector<topology::NodeIndex> owners;
+    for (int y = 0; y < tiles.screen_height(); ++y) {
+        for (int x = 0; x < tiles.screen_width(); ++x) {
+            const auto drawer = sorter.drawer_of(tiles.tile_at(x, y));
+            owners.push_back(drawer ? static_cast<topology::NodeIndex>(*drawer) : kNobody);
+        }
+    }
+    return owners;
+}
+
+// The sorter, or the node's feeder, hands on to a node; its units are beside the sorter.
+void draw_buckets(const Blueprint& blueprint, const BucketNetwork& buckets,
+                  MachineDrawing& drawing) {
+    const std::size_t nodes = blueprint.topology.nodes.size();
+    drawing.parts.resize(1);
+    for (std::size_t node = 0; node < nodes; ++node) {
+        if (buckets.feeders.empty()) {
+            drawing.parts.push_back({Place::beside, 0});
+            drawing.parts.push_back({Place::beside, drawing.parts.size() - 1});
+            drawing.fed_by.push_back(0);
+        } else {
+            drawing.parts.push_back({Place::before, 0});
+            drawing.fed_by.push_back(drawing.parts.size() - 1);
+        }
+    }
+    drawing.owners = drawers_of_pixels(*blueprint.tiles, *buckets.sorter);
+}
+
 }  // namespace
 
-MachineDrawing draw_machine(const Blueprint& blueprint,
+MachineDrawing draw_machine(const Blueprint& blueprint, const Machine& machine,
                             const std::vector<FabricPartReport>& fabric) {
     MachineDrawing drawing;
     if (blueprint.distribution) {
@@ -181,6 +214,10 @@ MachineDrawing draw_machine(const Blueprint& blueprint,
         drawing.height = static_cast<int>(blueprint.description.screen.height);
         if (blueprint.is_lockstep()) {
             draw_columns(drawing);
+            return drawing;
+        }
+        if (machine.buckets() != nullptr) {
+            draw_buckets(blueprint, *machine.buckets(), drawing);
             return drawing;
         }
         drawing.owners =

@@ -125,10 +125,70 @@ FabricPartReport sequencer_report(const LockstepMachine& machine) {
     return report;
 }
 
+FabricPartReport sorter_report(const TileSorter& sorter) {
+    FabricPartReport report;
+    report.name = sorter.name();
+    report.part = FabricPart::tile_sorter;
+    report.polygons = sorter.statistics().triangles;
+    report.busy = sorter.statistics().busy;
+    return report;
+}
+
+void add_units(const Rasterizer& rasterizer, const std::string& node,
+               std::vector<FabricPartReport>& reports) {
+    const RasterizerStatistics counted = rasterizer.statistics();
+    const Clock& clock = rasterizer.settings().clock;
+    const auto time = [&clock](Cycles cycles) { return clock.edge(cycles).since_start(); };
+    FabricPartReport& triangles = reports.emplace_back();
+    triangles.name = "triangle_unit/" + node;
+    triangles.part = FabricPart::triangle_unit;
+    triangles.polygons = counted.pairs;
+    triangles.busy = time(counted.triangle_busy);
+    triangles.blocked = time(counted.triangle_blocked);
+    set_waited_for(triangles, {triangles.blocked},
+                   [&](std::size_t) { return "pixel_unit/" + node; });
+    FabricPartReport& pixels = reports.emplace_back();
+    pixels.name = "pixel_unit/" + node;
+    pixels.part = FabricPart::pixel_unit;
+    pixels.polygons = counted.pixels;
+    pixels.busy = time(counted.pixel_busy);
+    pixels.input.peak = static_cast<int>(counted.fifo_peak);
+}
+
+FabricPartReport feeder_report(const TileFeeder& feeder) {
+    const TileFeederStatistics& counted = feeder.statistics();
+    FabricPartReport report;
+    report.name = feeder.name();
+    report.part = FabricPart::tile_feeder;
+    report.polygons = counted.triangles;
+    report.words = counted.words;
+    report.busy = counted.busy;
+    report.blocked = counted.blocked;
+    set_waited_for(report, {counted.blocked}, [&](std::size_t) {
+        return "node" + feeder.name().substr(feeder.name().find('/'));
+    });
+    return report;
+}
+
+void add_buckets(const Blueprint& blueprint, const BucketNetwork& buckets,
+                 std::vector<FabricPartReport>& reports) {
+    reports.push_back(sorter_report(*buckets.sorter));
+    for (std::size_t node = 0; node < buckets.rasterizers.size(); ++node) {
+        add_units(*buckets.rasterizers[node], blueprint.topology.nodes[node].name, reports);
+    }
+    for (const TileFeeder* feeder : buckets.feeders) {
+        reports.push_back(feeder_report(*feeder));
+    }
+}
+
 }  // namespace
 
 std::vector<ComponentId> part_ids(const Blueprint& blueprint, const Machine& machine) {
     std::vector<ComponentId> ids;
+    if (const BucketNetwork* buckets = machine.buckets()) {
+        buckets->for_each_part(
+            [&](const Component&, ComponentId part, const PartProbe&) { ids.push_back(part); });
+    }
     if (machine.lockstep() != nullptr) {
         ids.push_back(machine.lockstep()->id());
     }
@@ -161,6 +221,9 @@ std::vector<FabricPartReport> gather_fabric(const Blueprint& blueprint, const Ma
     std::vector<FabricPartReport> reports;
     if (machine.lockstep() != nullptr) {
         reports.push_back(sequencer_report(*machine.lockstep()));
+    }
+    if (machine.buckets() != nullptr) {
+        add_buckets(blueprint, *machine.buckets(), reports);
     }
     const PolygonNetwork* fabric = machine.fabric();
     if (fabric == nullptr) {

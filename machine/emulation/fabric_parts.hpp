@@ -10,8 +10,8 @@
 namespace rasterloom::emulation {
 
 // The fabric's parts: the host, then the elements in the distribution's order, each turn bus after
-// its bus, then the frame-buffer bus; of a lock-step machine its sequencer. Empty where the machine
-// is a graph.
+// its bus, then the frame-buffer bus; of a bucket tiler those of BucketNetwork::for_each_part; of a
+// lock-step machine its sequencer. Empty where the machine is a graph.
 std::vector<ComponentId> part_ids(const Blueprint& blueprint, const Machine& machine);
 
 // What the fabric's parts have counted until `end`, in the same order.

@@ -13,6 +13,9 @@ std::unique_ptr<HostJob> make_job(const Blueprint& blueprint) {
         return nullptr;
     }
     try {
+        if (blueprint.tiles) {
+            return make_bucket_job(blueprint);
+        }
         const SceneKind kind = scene_kind(description);
         if (is_screen_triangles(kind)) {
             refuse_screen_triangles(description);

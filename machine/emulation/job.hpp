@@ -4,8 +4,8 @@
 #pragma once
 
 #include "machine/emulation/blueprint.hpp"
+#include "machine/emulation/host_frames.hpp"
 #include "machine/emulation/machine.hpp"
-#include "machine/fabric/polygon.hpp"
 #include "machine/host/picture.hpp"
 
 #include <memory>
@@ -23,8 +23,8 @@ class HostJob {
     // That from now on each communication between the nodes is checked when it has ended: a fault
     // makes the run fail. For jobs that can.
     virtual void check_communication(Machine& /*machine*/) {}
-    // What the host sends, frame by frame; none where the nodes have all they need from the start.
-    virtual std::vector<std::vector<Polygon>> polygons() const { return {}; }
+    // What the host sends; nothing where the nodes have all they need from the start.
+    virtual HostFrames frames() const { return {}; }
     // At the end of frame `frame`, from 0, before anything of the next one happens: what the host
     // tells the machine then.
     virtual void frame_ended(Machine& /*machine*/, std::int64_t /*frame*/) {}
@@ -48,6 +48,9 @@ std::unique_ptr<HostJob> make_strothotte_job(const Blueprint& blueprint);
 
 // For programs/pdp11/tiler.s: polygons to processors that each own a grid of pixels.
 std::unique_ptr<HostJob> make_tile_job(const Blueprint& blueprint);
+
+// For bucket tilers: triangles to rasterizers, hardware or programs/pdp11/bucket.s, tile by tile.
+std::unique_ptr<HostJob> make_bucket_job(const Blueprint& blueprint);
 
 // For the renderers of programs/vliw: polygons to the lanes of a lock-step array.
 std::unique_ptr<HostJob> make_princeton_job(const Blueprint& blueprint);

@@ -3,6 +3,7 @@
 
 #include "isa/syntax.hpp"
 #include "machine/emulation/array_settings.hpp"
+#include "machine/emulation/bucket_settings.hpp"
 #include "machine/emulation/fabric_settings.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/node/registers.hpp"
@@ -71,7 +72,7 @@ Processor::Settings processor_settings(const Blueprint& blueprint) {
 
 }  // namespace
 
-Machine::Machine(const Blueprint& blueprint, std::vector<std::vector<Polygon>> polygons) {
+Machine::Machine(const Blueprint& blueprint, HostFrames frames) {
     const MachineDescription& description = blueprint.description;
     if (blueprint.is_lockstep()) {
         build_array(blueprint);
@@ -82,11 +83,16 @@ Machine::Machine(const Blueprint& blueprint, std::vector<std::vector<Polygon>> p
     check_memory(description, blueprint.isa);
     phases_per_frame_ = count_phases(description, *blueprint.image);
     if (blueprint.distribution) {
-        build_fabric(blueprint, std::move(polygons));
+        build_fabric(blueprint, std::move(frames.polygons));
+    } else if (blueprint.tiles) {
+        build_buckets(blueprint, frames.triangles);
     } else {
         build_graph(blueprint);
     }
     simulation_.seal();
+    if (buckets_) {
+        name_units();
+    }
 }
 
 Probe<SupervisorListener>* Machine::frame_probe() const {
@@ -96,10 +102,75 @@ Probe<SupervisorListener>* Machine::frame_probe() const {
     return supervisor_ != nullptr ? &supervisor_->probe() : nullptr;
 }
 
+void Machine::build_buckets(const Blueprint& blueprint,
+                            const std::vector<std::vector<host::ScreenTriangle>>& triangles) {
+    const MachineDescription& description = blueprint.description;
+    buckets_.emplace();
+    try {
+        buckets_->sorter = &simulation_.add<TileSorter>("sorter", sorter_settings(blueprint));
+        if (description.has_program()) {
+            build_feeders(blueprint, triangles);
+        } else {
+            build_rasterizers(blueprint);
+        }
+        add_supervisor(description, 1);
+        buckets_->sorter->load(sort_frames(triangles, *blueprint.tiles, description.sorter.rule));
+    } catch (const std::invalid_argument& problem) {
+        throw description.error("rasterizer", {}, problem.what());
+    }
+    supervisor_->connect(simulation_, static_cast<int>(processors_.size()), *buckets_->sorter,
+                         buckets_->sorter->supervisor_port());
+}
+
+void Machine::build_rasterizers(const Blueprint& blueprint) {
+    for (std::size_t node = 0; node < blueprint.topology.nodes.size(); ++node) {
+        RasterizerSettings settings = rasterizer_settings(blueprint.description);
+        settings.node = static_cast<NodeIndex>(node);
+        buckets_->rasterizers.push_back(
+            &simulation_.add<Rasterizer>("node/" + blueprint.topology.nodes[node].name, settings));
+        buckets_->sorter->connect(simulation_, static_cast<int>(node),
+                                  *buckets_->rasterizers.back());
+    }
+}
+
+void Machine::build_feeders(const Blueprint& blueprint,
+                            const std::vector<std::vector<host::ScreenTriangle>>& triangles) {
+    const config::MachineDescription& description = blueprint.description;
+    add_processors(blueprint, [&](std::size_t) {
+        Processor::Settings settings = processor_settings(blueprint);
+        set_tile_ports(settings, blueprint);
+        return settings;
+    });
+    const auto scene = tile_scene(*blueprint.tiles, triangles);
+    for (std::size_t node = 0; node < processors_.size(); ++node) {
+        TileFeeder& feeder = simulation_.add<TileFeeder>(
+            "feeder/" + blueprint.topology.nodes[node].name,
+            feeder_settings(description, static_cast<NodeIndex>(processors_.size())));
+        feeder.connect(simulation_, *processors_[node], Processor::receive_port(0));
+        feeder.load(scene);
+        buckets_->sorter->connect(simulation_, static_cast<int>(node), feeder);
+        buckets_->feeders.push_back(&feeder);
+    }
+}
+
+// Units of rasterizers are no components: they have numbers above all of those.
+void Machine::name_units() {
+    std::size_t next = simulation_.components().size();
+    for (Rasterizer* rasterizer : buckets_->rasterizers) {
+        rasterizer->name_units(static_cast<ComponentId>(next), static_cast<ComponentId>(next + 1));
+        next += 2;
+    }
+}
+
 std::vector<ComponentId> Machine::node_ids() const {
     std::vector<ComponentId> ids;
     for (const Processor* processor : processors_) {
         ids.push_back(processor->id());
+    }
+    if (buckets_) {
+        for (const Rasterizer* rasterizer : buckets_->rasterizers) {
+            ids.push_back(rasterizer->id());
+        }
     }
     if (lockstep_ != nullptr) {
         const std::size_t first = simulation_.components().size();

@@ -40,6 +40,17 @@ observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& m
         }
         names.parts.push_back(machine.lockstep()->id());
     }
+    if (const BucketNetwork* buckets = machine.buckets()) {
+        for (const topology::Node& node : blueprint.topology.nodes) {
+            if (!buckets->rasterizers.empty()) {
+                names.components.push_back({"triangle_unit", node.name});
+                names.components.push_back({"pixel_unit", node.name});
+            }
+        }
+        buckets->for_each_part([&](const Component&, ComponentId part, const PartProbe&) {
+            names.parts.push_back(part);
+        });
+    }
     for (const NetworkLink& wire : machine.links()) {
         names.links.push_back({wire.link->id(), wire.from, wire.to});
         names.components[static_cast<std::size_t>(wire.link->id())].name =

@@ -64,6 +64,17 @@ void Observers::attach(Machine& machine, bool parts) {
             lockstep_->part_probe().attach(merger_.for_parts(partition));
         }
     }
+    if (const BucketNetwork* buckets = machine.buckets()) {
+        for (Rasterizer* rasterizer : buckets->rasterizers) {
+            rasterizer->node_probe().attach(
+                merger_.for_nodes(simulation.partition_of(*rasterizer)));
+        }
+        if (parts) {
+            buckets->for_each_part([&](const Component& component, ComponentId, PartProbe& probe) {
+                probe.attach(merger_.for_parts(simulation.partition_of(component)));
+            });
+        }
+    }
     if (parts && machine.fabric() != nullptr) {
         machine.fabric()->for_each_part([&](auto& part) {
             part.probe().attach(merger_.for_parts(simulation.partition_of(part)));

@@ -147,8 +147,10 @@ std::vector<std::vector<observe::PathReport::LineShare>> lines_on_paths(
     if (machine.lockstep() != nullptr) {
         return lines_of_frames(blueprint, *machine.lockstep());
     }
-    Machine again(blueprint,
-                  job != nullptr ? job->polygons() : std::vector<std::vector<Polygon>>());
+    if (machine.processors().empty()) {
+        return std::vector<std::vector<observe::PathReport::LineShare>>(paths.size());
+    }
+    Machine again(blueprint, job != nullptr ? job->frames() : HostFrames());
     if (job != nullptr) {
         job->load(again);
     }

@@ -2,6 +2,7 @@
 #include "machine/emulation/report.hpp"
 
 #include "machine/emulation/array_profile.hpp"
+#include "machine/emulation/bucket_books.hpp"
 #include "machine/emulation/fabric_parts.hpp"
 #include "machine/emulation/names.hpp"
 
@@ -25,6 +26,28 @@ observe::NodeReport node_report(const Processor& processor, const std::string& n
         report.peak_output_queue = std::max(report.peak_output_queue, statistics.peak_output_queue);
         report.peak_input_queue = std::max(report.peak_input_queue, statistics.peak_input_queue);
     }
+    return report;
+}
+
+// A rasterizer in hardware is busy from the first pair of a frame until the last is drawn.
+observe::NodeReport rasterizer_report(const Rasterizer& rasterizer, const observe::RunReport& run) {
+    observe::NodeReport report;
+    auto frame = rasterizer.busy_frames().begin();
+    const auto end = rasterizer.busy_frames().end();
+    for (std::size_t i = 0; i < run.phases.size(); ++i) {
+        const Time over = i + 1 < run.phases.size() ? run.phases[i + 1].start : run.end;
+        NodePhaseStatistics& phase = report.statistics.phases.emplace_back();
+        Duration busy;
+        for (; frame != end && frame->began < over; ++frame) {
+            busy += frame->drawn - frame->began;
+        }
+        phase.in_state[static_cast<std::size_t>(NodeState::busy)] = busy;
+        phase.in_state[static_cast<std::size_t>(NodeState::waiting_input)] =
+            over - run.phases[i].start - busy;
+        report.statistics.cycles +=
+            rasterizer.settings().clock.edge_at_or_before(Time::zero() + busy).count();
+    }
+    report.statistics.busy_with[0] = report.statistics.in_state(NodeState::busy);
     return report;
 }
 
@@ -53,9 +76,9 @@ observe::TimelineSubjects timeline_subjects(const Blueprint& blueprint, const Ma
     const config::MachineDescription& description = blueprint.description;
     observe::TimelineSubjects subjects;
     subjects.nodes = blueprint.topology.nodes.size();
-    // Links come by node and port; lanes have none.
+    // Links come by node and port; lanes and rasterizers have none.
     for (const auto& ports : blueprint.topology.ports) {
-        if (machine.lockstep() != nullptr) {
+        if (machine.lockstep() != nullptr || machine.buckets() != nullptr) {
             break;
         }
         subjects.first_link.push_back(subjects.links);
@@ -82,6 +105,7 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
         .links = {},
         .fabric = gather_fabric(blueprint, machine, end),
         .array = {},
+        .buckets = {},
         .paths = {},
         .phase_names = names_from_symbols(image, "phase_name_",
                                           static_cast<std::uint32_t>(machine.phases_per_frame())),
@@ -100,6 +124,13 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
         }
         report.array = gather_array(blueprint, *lockstep);
         report.fabric.front().words = report.array->places * report.array->lanes;
+    }
+    if (const BucketNetwork* buckets = machine.buckets()) {
+        for (const Rasterizer* rasterizer : buckets->rasterizers) {
+            report.nodes.push_back(rasterizer_report(*rasterizer, report));
+            report.nodes.back().name = blueprint.topology.nodes[report.nodes.size() - 1].name;
+        }
+        report.buckets = gather_buckets(blueprint, *buckets);
     }
     for (const NetworkLink& wire : machine.links()) {
         report.links.push_back(link_report(wire, machine.processors()));

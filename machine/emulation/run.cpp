@@ -129,6 +129,11 @@ std::string activities(const Machine& machine) {
         }
     };
     add(machine.supervisor());
+    if (const BucketNetwork* buckets = machine.buckets()) {
+        add(buckets->sorter);
+        std::for_each(buckets->rasterizers.begin(), buckets->rasterizers.end(), add);
+        std::for_each(buckets->feeders.begin(), buckets->feeders.end(), add);
+    }
     if (const PolygonNetwork* fabric = machine.fabric()) {
         add(fabric->source);
         std::for_each(fabric->splitters.begin(), fabric->splitters.end(), add);
@@ -201,7 +206,7 @@ class Run {
           options_(options),
           blueprint_(description, registry_),
           job_(make_job(blueprint_)),
-          machine_(blueprint_, job_ ? job_->polygons() : std::vector<std::vector<Polygon>>()),
+          machine_(blueprint_, job_ ? job_->frames() : HostFrames()),
           phases_(round_of(description.links)) {
         if (job_) {
             load();
@@ -216,7 +221,7 @@ class Run {
         report_paths();
         report_traces();
         if (options_.page) {
-            outcome_.drawing = draw_machine(blueprint_, outcome_.report.fabric);
+            outcome_.drawing = draw_machine(blueprint_, machine_, outcome_.report.fabric);
         }
         if (appendix_c_) {
             outcome_.appendix_c = gather_appendix_c(*appendix_c_, outcome_.report);

@@ -40,7 +40,7 @@ class TileJob final : public HostJob {
         }
     }
 
-    std::vector<std::vector<Polygon>> polygons() const override { return scene_.frames; }
+    HostFrames frames() const override { return {scene_.frames, {}}; }
 
     host::Picture collect(const Machine& machine) const override {
         const std::vector<Processor*>& processors = machine.processors();

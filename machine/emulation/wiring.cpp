@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -27,15 +28,40 @@ bool matches(const std::string& path, std::string_view beginning) {
     return beginning.ends_with('.') ? path.starts_with(beginning) : path == beginning;
 }
 
+using AddIdle = std::function<void(std::string_view, std::initializer_list<std::string_view>)>;
+
+void add_idle_of_tiler(const MachineDescription& machine, const AddIdle& add) {
+    add("another machine: here sorter.* and rasterizer.* say what lies between",
+        {"links.", "fabric.", "host.time_per_polygon", "host.time_per_vertex", "scene.routing"});
+    if (machine.has_program()) {
+        add("rasterizer.kind: hardware",
+            {"rasterizer.cycles_per_triangle", "rasterizer.cycles_per_pixel", "rasterizer.fifo"});
+    } else {
+        add("a machine of processors: rasterizer.kind: software",
+            {"nodes.isa", "nodes.plugin", "nodes.cost", "nodes.memory", "nodes.program",
+             "nodes.symbols", "nodes.load_address", "nodes.entry", "nodes.phases_per_frame",
+             "rasterizer.input_fifo", "sorter.time_per_word"});
+    }
+    if (machine.sorter.assignment != TileAssignment::largest_first) {
+        add("sorter.assignment: largest_first", {"sorter.largest_by"});
+    } else if (machine.sorter.largest_by == config::TileMeasure::work && machine.has_program()) {
+        throw machine.error("sorter.largest_by", "work", "is not known of a program",
+                            "triangles or pixels");
+    }
+}
+
 std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::Topology& topology) {
     const bool lockstep = is_lockstep(machine);
     std::vector<Idle> idle;
-    const auto add = [&idle](std::string_view useful,
-                             std::initializer_list<std::string_view> beginnings) {
+    const AddIdle add = [&idle](std::string_view useful,
+                                std::initializer_list<std::string_view> beginnings) {
         for (const std::string_view beginning : beginnings) {
             idle.push_back({beginning, useful});
         }
     };
+    if (!machine.is_bucket_tiler()) {
+        add("a bucket tiler: topology.kind: bucket_tiles", {"sorter.", "rasterizer."});
+    }
     if (lockstep) {  // neither links nor a fabric
         add("a machine of processors: here the nodes are lanes of one array",
             {"links.", "fabric.", "host.", "supervisor.", "nodes.cost", "nodes.memory",
@@ -46,7 +72,9 @@ std::vector<Idle> idle_keys(const MachineDescription& machine, const topology::T
     } else {
         add("a lock-step array: nodes.isa: vliw", {"array.", "nodes.pack"});
     }
-    if (topology.tiling && !lockstep) {
+    if (machine.is_bucket_tiler()) {
+        add_idle_of_tiler(machine, add);
+    } else if (topology.tiling && !lockstep) {
         add("a machine that is a graph: here fabric.* says what lies between",
             {"links.", "scene.routing"});
         if (!machine.fabric.half_digested) {
@@ -139,6 +167,16 @@ topology::Distribution make_distribution(const MachineDescription& machine,
         const bool is_x = problem.axis() == topology::CutAxis::x;
         const std::string key = is_x ? "topology.columns" : "topology.rows";
         throw machine.error(machine.written.contains(key) ? key : "topology", {}, problem.what());
+    }
+}
+
+topology::BucketTiles make_tiles(const MachineDescription& machine,
+                                 const topology::Topology& topology) {
+    try {
+        return {static_cast<int>(machine.screen.width), static_cast<int>(machine.screen.height),
+                *topology.tile};
+    } catch (const std::invalid_argument& problem) {
+        throw machine.error("topology.tile", {}, problem.what());
     }
 }
 

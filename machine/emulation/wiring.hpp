@@ -20,6 +20,10 @@ topology::Topology make_wiring(const config::MachineDescription& machine);
 topology::Distribution make_distribution(const config::MachineDescription& machine,
                                          const topology::Topology& topology);
 
+// Of a bucket tiler. Throws ConfigError that points at the tile.
+topology::BucketTiles make_tiles(const config::MachineDescription& machine,
+                                 const topology::Topology& topology);
+
 // Refuses a value other than the default under a key that such a machine has no use for, as
 // links.latency where there are no links. Throws ConfigError.
 void check_keys_matter(const config::MachineDescription& machine,

@@ -25,13 +25,17 @@ Rasterizer::Rasterizer(std::string name, const RasterizerSettings& settings)
 void Rasterizer::handle(const Event& event) {
     switch (static_cast<TileEvent>(event.kind)) {
         case TileEvent::grant:
+            tell_waited();
             // It was sent one tick ago, and counts from then on.
             begin(settings_.clock.edge_at_or_after(now() - Duration::tick()).count());
             draw(*reinterpret_cast<const TileGrant*>(static_cast<std::uintptr_t>(event.payload)));
+            busy_frames_.back().drawn = reached();
+            tell_units_idle();
+            tell_busy();
             send_as_of(free_, TileEvent::next, all_drawn() ? 1 : 0);
             return;
         case TileEvent::no_more:
-            end_frame();
+            in_frame_ = false;
             if (!all_drawn()) {
                 send_as_of(drawn_, TileEvent::drained);
             }
@@ -52,8 +56,8 @@ void Rasterizer::begin(std::int64_t cycle) {
     if (!in_frame_) {
         in_frame_ = true;
         free_ = drawn_ = cycle;
+        busy_frames_.push_back({edge(cycle), edge(cycle)});
     } else if (cycle > free_) {
-        triangle_probe_.enter(id(), PartState::idle, edge(free_));
         statistics_.triangle_starved += Cycles(cycle - free_);
         free_ = cycle;
     }
@@ -113,23 +117,47 @@ std::int64_t Rasterizer::hand_over(std::int64_t set_up, std::int64_t drawn) {
 // The pixel unit had drawn the pair before at `idle_from`.
 void Rasterizer::tell(const DrawnPair& pair, std::int64_t idle_from) {
     const auto time = [this](Cycles cycle) { return settings_.clock.edge(cycle); };
-    triangle_probe_.enter(id(), PartState::busy, time(pair.begun));
+    triangle_probe_.enter(triangle_unit_, PartState::busy, time(pair.begun));
     if (pair.handed_over > pair.set_up) {
-        triangle_probe_.enter(id(), PartState::blocked, time(pair.set_up));
+        triangle_probe_.enter(triangle_unit_, PartState::blocked, time(pair.set_up));
     }
     if (pair.drawing > Cycles(idle_from)) {
-        pixel_probe_.enter(id(), PartState::idle, edge(idle_from));
+        pixel_probe_.enter(pixel_unit_, PartState::idle, edge(idle_from));
     }
     if (pair.drawn > pair.drawing) {
-        pixel_probe_.enter(id(), PartState::busy, time(pair.drawing));
+        pixel_probe_.enter(pixel_unit_, PartState::busy, time(pair.drawing));
     }
     probe_.tell([&](RasterizerListener& listener) { listener.pair_drawn(pair); });
 }
 
-void Rasterizer::end_frame() {
-    triangle_probe_.enter(id(), PartState::idle, edge(free_));
-    pixel_probe_.enter(id(), PartState::idle, edge(drawn_));
-    in_frame_ = false;
+// After each grant, because what comes next must not tell of what was over long before.
+void Rasterizer::tell_units_idle() {
+    triangle_probe_.enter(triangle_unit_, PartState::idle, edge(free_));
+    pixel_probe_.enter(pixel_unit_, PartState::idle, edge(drawn_));
+}
+
+void Rasterizer::tell_waited() {
+    if (now() > told_until_) {
+        node_probe_.tell([&](NodeListener& listener) {
+            listener.interval_ended({settings_.node, NodeState::waiting_input, 0, told_until_,
+                                     now(), scheduler().handling()});
+        });
+        told_until_ = now();
+    }
+}
+
+void Rasterizer::tell_busy() {
+    if (reached() > told_until_) {
+        node_probe_.tell([&](NodeListener& listener) {
+            listener.interval_ended({settings_.node, NodeState::busy, 0, told_until_, reached()});
+        });
+        told_until_ = reached();
+    }
+}
+
+void Rasterizer::name_units(ComponentId triangle_unit, ComponentId pixel_unit) {
+    triangle_unit_ = triangle_unit;
+    pixel_unit_ = pixel_unit;
 }
 
 // What it was granted it has drawn, or will have without anybody else.

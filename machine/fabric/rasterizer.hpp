@@ -31,17 +31,20 @@
 #include "machine/fabric/tile_work.hpp"
 #include "machine/kernel/clock.hpp"
 #include "machine/kernel/component.hpp"
+#include "machine/node/node_listener.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <boost/circular_buffer.hpp>
 
 namespace rasterloom {
 
 struct RasterizerSettings {
+    NodeIndex node = 0;  // as it is called to those who listen to nodes
     Clock clock = Clock::with_frequency(100'000'000);  // a period of at least 2 ticks
     std::int64_t cycles_per_triangle = 25;             // at least 0
     std::int64_t cycles_per_pixel = 1;                 // at least 0
@@ -93,10 +96,23 @@ class Rasterizer final : public Component {
 
     const RasterizerSettings& settings() const { return settings_; }
     RasterizerStatistics statistics() const;
-    // The two units, each a part of its own under the rasterizer's id.
+    // The two units, each a part of its own.
+    // What they are called there; before the run.
+    void name_units(ComponentId triangle_unit, ComponentId pixel_unit);
+    ComponentId triangle_unit() const { return triangle_unit_; }
+    ComponentId pixel_unit() const { return pixel_unit_; }
     PartProbe& triangle_probe() { return triangle_probe_; }
     PartProbe& pixel_probe() { return pixel_probe_; }
     Probe<RasterizerListener>& probe() { return probe_; }
+    // The rasterizer as a whole: busy while either unit is, else it waits for pairs.
+    Probe<NodeListener>& node_probe() { return node_probe_; }
+    // When it was busy, frame by frame: from the first grant until all was drawn. Frames in which
+    // it got nothing are left out.
+    struct BusyFrame {
+        Time began;
+        Time drawn;
+    };
+    const std::vector<BusyFrame>& busy_frames() const { return busy_frames_; }
 
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
@@ -109,6 +125,9 @@ class Rasterizer final : public Component {
     void draw(const TileWork& pair);
     std::int64_t hand_over(std::int64_t set_up, std::int64_t drawn);
     void tell(const DrawnPair& pair, std::int64_t idle_from);
+    void tell_units_idle();
+    void tell_waited();
+    void tell_busy();
     void end_frame();
     void send_as_of(std::int64_t cycle, TileEvent event, std::uint64_t payload = 0);
     bool all_drawn() const { return drawn_ == free_; }  // when the triangle unit is free
@@ -121,9 +140,14 @@ class Rasterizer final : public Component {
     std::int64_t drawn_ = 0;  // the pixel unit has drawn it
     boost::circular_buffer<std::int64_t> fifo_;  // when the triangles in it will have been drawn
     RasterizerStatistics statistics_;            // but the busy times
+    std::vector<BusyFrame> busy_frames_;
+    ComponentId triangle_unit_{};
+    ComponentId pixel_unit_{};
     PartProbe triangle_probe_;
     PartProbe pixel_probe_;
     Probe<RasterizerListener> probe_;
+    Probe<NodeListener> node_probe_;
+    Time told_until_;  // those who listen to nodes
 };
 
 }  // namespace rasterloom

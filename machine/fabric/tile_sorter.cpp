@@ -3,6 +3,7 @@
 
 #include "machine/fabric/supervisor.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -19,6 +20,12 @@ TileSorter::TileSorter(std::string name, const TileSorterSettings& settings)
     if (settings.time_per_triangle < Duration() || settings.time_per_pair < Duration()) {
         throw std::invalid_argument(
             fmt::format("{}: the time to sort a triangle or a pair is not negative", this->name()));
+    }
+    drawers_.resize(queues_.tiles());
+    if (is_static(settings.queues.assignment)) {
+        drawers_ = owners_of_tiles(settings.queues.assignment, settings.queues.columns,
+                                   settings.queues.rows, settings.queues.rasterizers);
+        std::for_each(drawers_.begin(), drawers_.end(), [](std::size_t& drawer) { ++drawer; });
     }
     for (int rasterizer = 0; rasterizer < settings.queues.rasterizers; ++rasterizer) {
         add_port(fmt::format("rasterizer {}", rasterizer));
@@ -116,14 +123,14 @@ void TileSorter::handle_rasterizer(const Event& event) {
     }
 }
 
-const TileFrame& TileSorter::next_frame() const {
+const TileFrame& TileSorter::work_of_frame(std::size_t frame) const {
     static const TileFrame nothing;
-    return frames_.empty() ? nothing : frames_[records_.size() % frames_.size()];
+    return frames_.empty() ? nothing : frames_[frame % frames_.size()];
 }
 
 // Sorts, and hands out at once if that takes no time.
 void TileSorter::begin_frame() {
-    const TileFrame& frame = next_frame();
+    const TileFrame& frame = work_of_frame(records_.size());
     records_.push_back({now(), now(), now()});
     queues_.fill(frame.pairs);
     const auto pairs = static_cast<std::int64_t>(frame.pairs.size());
@@ -163,8 +170,15 @@ bool TileSorter::grant_next(std::size_t rasterizer) {
     if (grant == nullptr) {
         return false;
     }
+    if (!is_static(settings_.queues.assignment)) {
+        drawers_[grant->front().tile] = rasterizer + 1;
+    }
     send_to(rasterizer, TileEvent::grant, reinterpret_cast<std::uintptr_t>(grant));
     return true;
+}
+
+std::optional<std::size_t> TileSorter::drawer_of(TileIndex tile) const {
+    return drawers_[tile] == 0 ? std::nullopt : std::optional(drawers_[tile] - 1);
 }
 
 void TileSorter::send_to(std::size_t rasterizer, TileEvent event, std::uint64_t payload) {

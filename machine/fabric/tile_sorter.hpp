@@ -71,6 +71,10 @@ class TileSorter final : public Component {
 
     // Of the frames begun; the last one may not have come to its end.
     const std::vector<TileFrameRecord>& frames() const { return records_; }
+    // What is to be drawn in frame `frame` of the run, from 0.
+    const TileFrame& work_of_frame(std::size_t frame) const;
+    // Who got the tile last: its owner, or none of a tile that nobody has drawn yet.
+    std::optional<std::size_t> drawer_of(TileIndex tile) const;
     const TileSorterStatistics& statistics() const { return statistics_; }
     PartProbe& probe() { return probe_; }
 
@@ -93,7 +97,6 @@ class TileSorter final : public Component {
     void send_to(std::size_t rasterizer, TileEvent event, std::uint64_t payload);
     void finish_one();
     void end_frame();
-    const TileFrame& next_frame() const;
     std::size_t rasterizers() const {
         return static_cast<std::size_t>(settings_.queues.rasterizers);
     }
@@ -105,7 +108,8 @@ class TileSorter final : public Component {
     std::vector<bool> ends_every_frame_;  // [rasterizer]
     State state_ = State::waiting;
     bool over_ = false;
-    std::size_t drawing_ = 0;  // rasterizers that are not yet done with the frame
+    std::vector<std::size_t> drawers_;  // [tile]: one more than who got it last; or 0
+    std::size_t drawing_ = 0;           // rasterizers that are not yet done with the frame
     TileSorterStatistics statistics_;
     PartProbe probe_;
 };

@@ -39,6 +39,15 @@
 
 namespace rasterloom {
 
+// Told of frame buffers, on the threads that run their processors.
+class FrameBufferListener {
+  public:
+    virtual ~FrameBufferListener() = default;
+    // The program writes FBCLEAR: so stands the frame buffer now, and it is about to be cleared.
+    virtual void frame_buffer_cleared(NodeIndex node, const isa::Core& core,
+                                      const FrameBuffer& frame_buffer) = 0;
+};
+
 class Processor final : public Component, private isa::Bus {
   public:
     struct Settings {
@@ -81,6 +90,7 @@ class Processor final : public Component, private isa::Bus {
     std::uint16_t phase() const { return phase_; }
     const NodeStatistics& statistics() const { return meter_.statistics(); }
     Probe<NodeListener>& probe() { return meter_.probe(); }
+    Probe<FrameBufferListener>& frame_buffer_probe() { return frame_buffer_probe_; }
     // Tells listeners of a stall that has begun before `time`, up to which the machine has come:
     // else they hear of it when it is over.
     void tell_stall_before(Time time) { begin_stall_before(time); }
@@ -206,6 +216,7 @@ class Processor final : public Component, private isa::Bus {
     std::vector<PortState> port_states_;
     ActivityMeter meter_;
     std::optional<FrameBuffer> frame_buffer_;
+    Probe<FrameBufferListener> frame_buffer_probe_;
 
     Next next_ = Next::run;
     std::string error_;           // to be reported as a guest error when everybody has caught up

@@ -34,6 +34,9 @@ isa::Bus::Status Processor::write_frame_buffer(std::uint32_t address, std::uint3
     if (address == kFbRow) {
         return select_row(value);
     }
+    frame_buffer_probe_.tell([this](FrameBufferListener& listener) {
+        listener.frame_buffer_cleared(node(), *core_, *frame_buffer_);
+    });
     frame_buffer_->clear(static_cast<std::uint16_t>(value));
     return Status::ok;
 }

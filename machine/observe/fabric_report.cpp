@@ -77,6 +77,14 @@ std::string_view name_of(FabricPart part) {
             return "turn_bus";
         case FabricPart::sequencer:
             return "sequencer";
+        case FabricPart::tile_sorter:
+            return "tile_sorter";
+        case FabricPart::tile_feeder:
+            return "tile_feeder";
+        case FabricPart::triangle_unit:
+            return "triangle_unit";
+        case FabricPart::pixel_unit:
+            return "pixel_unit";
     }
     return {};
 }
@@ -114,6 +122,8 @@ std::string fabric_summary(const std::vector<FabricPartReport>& fabric, Duration
     add_kind(text, fabric, FabricPart::bus, "Polygon buses", whole);
     add_kind(text, fabric, FabricPart::turn_bus, "Digest bus", whole);
     add_kind(text, fabric, FabricPart::frame_buffer_bus, "Pixel bus", whole);
+    add_kind(text, fabric, FabricPart::tile_sorter, "Tile sorter", whole);
+    add_kind(text, fabric, FabricPart::tile_feeder, "Tile feeders", whole);
     return text;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lay between the host and the processors of a machine that deals out the screen; and the
-// sequencer of a lock-step machine.
+// What lay between the host and the processors of a machine that deals out the screen; the units of
+// rasterizers in hardware; and the sequencer of a lock-step machine.
 #pragma once
 
 #include "machine/kernel/time.hpp"
@@ -18,7 +18,18 @@ struct FifoReport {
     Duration full;
 };
 
-enum class FabricPart : std::uint8_t { host, splitter, bus, frame_buffer_bus, turn_bus, sequencer };
+enum class FabricPart : std::uint8_t {
+    host,
+    splitter,
+    bus,
+    frame_buffer_bus,
+    turn_bus,
+    sequencer,
+    tile_sorter,
+    tile_feeder,
+    triangle_unit,
+    pixel_unit,
+};
 
 std::string_view name_of(FabricPart part);  // "host", "splitter", "bus", ...
 
@@ -26,7 +37,9 @@ std::string_view name_of(FabricPart part);  // "host", "splitter", "bus", ...
 struct FabricPartReport {
     std::string name;  // "splitter/3"
     FabricPart part = FabricPart::host;
-    std::int64_t polygons = 0;  // sent, split, broadcast; pixels of a frame-buffer bus
+    // Sent, split, broadcast; pixels of a frame-buffer bus or a pixel unit; of the other parts of a
+    // bucket tiler triangles, once for each tile but at the sorter.
+    std::int64_t polygons = 0;
     std::int64_t vertices = 0;
     std::int64_t words = 0;  // of a bus; of a sequencer: by all lanes, a place further
     std::int64_t cut = 0;    // polygons that went both ways
@@ -35,7 +48,7 @@ struct FabricPartReport {
     Duration busy;
     // Had something to hand on, and somebody had no room for it. Of a frame-buffer bus: pixels
     // waited for their turn, summed over the processors. Of a sequencer: waited for the next
-    // scanline.
+    // scanline. Of a triangle unit: the FIFO to the pixel unit was full.
     Duration blocked;
     std::string waited_for;  // the one that had no room for the longest time; empty: nobody
     Duration waited_for_it;

@@ -7,6 +7,7 @@
 #include "machine/kernel/time.hpp"
 #include "machine/node/node_statistics.hpp"
 #include "machine/observe/array_report.hpp"
+#include "machine/observe/bucket_report.hpp"
 #include "machine/observe/fabric_report.hpp"
 
 #include <cstdint>
@@ -112,6 +113,7 @@ struct RunReport {
     std::vector<LinkReport> links;            // of a graph
     std::vector<FabricPartReport> fabric;     // of a machine that deals out the screen
     std::optional<ArrayReport> array;         // of a lock-step machine
+    std::optional<BucketReport> buckets;      // of a bucket tiler
     std::vector<PathReport> paths;            // one a frame, if asked for
     std::vector<std::string> phase_names;     // [phase of the frame]; may be shorter
     std::vector<std::string> activity_names;  // [activity that MARK names]; may be shorter

@@ -2,6 +2,7 @@
 #include "machine/observe/statistics_files.hpp"
 
 #include "machine/observe/array_json.hpp"
+#include "machine/observe/bucket_json.hpp"
 #include "machine/observe/csv_text.hpp"
 
 #include <array>
@@ -223,6 +224,9 @@ std::string statistics_json(const RunReport& report) {
     }
     if (report.array) {
         json["array"] = array_json(report);
+    }
+    if (report.buckets) {
+        json["buckets"] = bucket_json(*report.buckets);
     }
     if (!report.paths.empty()) {
         json["critical_paths"] = paths_json(report);

@@ -166,6 +166,24 @@ void add_busiest(std::string& text, const RunReport& report) {
     }
 }
 
+// "12.30 million instructions/s, " of what runs programs.
+std::string rate(const RunReport& report, double wall_seconds) {
+    const double millions = 1e-6 / wall_seconds;
+    if (report.instructions() > 0) {
+        return fmt::format("{:.2f} million instructions/s, ",
+                           static_cast<double>(report.instructions()) * millions);
+    }
+    if (report.buckets) {
+        std::int64_t pairs = 0;
+        for (const BucketReport::Frame& frame : report.buckets->frames) {
+            pairs += frame.pairs;
+        }
+        return fmt::format("{:.2f} million (triangle, tile) pairs/s, ",
+                           static_cast<double>(pairs) * millions);
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string summary(const RunReport& report, double wall_seconds) {
@@ -180,22 +198,26 @@ std::string summary(const RunReport& report, double wall_seconds) {
     add_frames(text, report);
     fmt::format_to(out, "Machine time    {} = {} u\n", human(report.end.since_start()),
                    report.units(report.end.since_start()));
-    fmt::format_to(out, "Instructions    {} in {} cycles\n", instructions, report.cycles());
+    if (instructions > 0) {
+        fmt::format_to(out, "Instructions    {} in {} cycles\n", instructions, report.cycles());
+    }
     if (!report.links.empty()) {
         fmt::format_to(out, "Messages        {} hops, {} bytes\n", report.messages(),
                        report.bytes());
     }
     if (wall_seconds > 0) {
         fmt::format_to(out,
-                       "Emulated in     {} of wall time: {:.2f} million instructions/s, real-time "
-                       "factor {:.3g}, {} events\n",
+                       "Emulated in     {} of wall time: {}real-time factor {:.3g}, {} events\n",
                        human(Duration::picoseconds(static_cast<std::int64_t>(wall_seconds * 1e12))),
-                       static_cast<double>(instructions) / wall_seconds / 1e6,
-                       seconds(report.end.since_start()) / wall_seconds, report.events);
+                       rate(report, wall_seconds), seconds(report.end.since_start()) / wall_seconds,
+                       report.events);
     }
     if (!report.fabric.empty()) {
         add_balance(text, report);
         text += fabric_summary(report.fabric, report.end.since_start());
+    }
+    if (report.buckets) {
+        text += bucket_summary(*report.buckets);
     }
     if (report.array) {
         text += array_summary(*report.array, report.phase_names);

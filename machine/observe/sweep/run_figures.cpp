@@ -77,6 +77,18 @@ Duration blocked(const RunReport& report) {
     return sum;
 }
 
+template <std::int64_t BucketReport::Frame::* part>
+Cell of_tiles(const RunReport& report) {
+    if (!report.buckets) {
+        return nullptr;
+    }
+    std::int64_t sum = 0;
+    for (const BucketReport::Frame& frame : report.buckets->frames) {
+        sum += frame.*part;
+    }
+    return sum;
+}
+
 using Report = const RunReport&;
 
 Cell picoseconds(Report, Duration time) {
@@ -123,6 +135,10 @@ constexpr std::array kFigures{
     Figure{"busiest_wire_utilisation", kReal,
            [](Report r) -> Cell { return ratio(busiest_wire(r).busy, whole(r)); }},
     Figure{"blocked_ps", kInteger, [](Report r) -> Cell { return blocked(r).picoseconds(); }},
+    // Of a bucket tiler, summed over the frames.
+    Figure{"pairs", kInteger, of_tiles<&BucketReport::Frame::pairs>},
+    Figure{"sort_u", kInteger, of_tiles<&BucketReport::Frame::sort_cycles>},
+    Figure{"draw_u", kInteger, of_tiles<&BucketReport::Frame::draw_cycles>},
 };
 
 }  // namespace

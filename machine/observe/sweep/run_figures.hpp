@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run in one row: the figures that every machine has, to compare many runs by. All of them are
+// A run in one row: the figures by which many runs are compared, most of which every machine has. All of them are
 // emulated, so the same run gives the same row on any host.
 #pragma once
 

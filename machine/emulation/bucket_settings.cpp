@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "machine/emulation/bucket_settings.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace rasterloom::emulation {
+
+namespace {
+
+// machine/fabric/tile_assignment.hpp says how a tile's size comes from it.
+std::uint32_t pair_weight(const config::MachineDescription& machine,
+                          const topology::BucketTiles& tiles) {
+    switch (machine.sorter.largest_by) {
+        case config::TileMeasure::pixels:
+            return 0;
+        case config::TileMeasure::work: {
+            const std::int64_t per_pixel =
+                std::max<std::int64_t>(1, machine.rasterizer.cycles_per_pixel);
+            return static_cast<std::uint32_t>(machine.rasterizer.cycles_per_triangle / per_pixel);
+        }
+        case config::TileMeasure::triangles:
+            break;
+    }
+    return static_cast<std::uint32_t>(tiles.tile_size().width * tiles.tile_size().height);
+}
+
+TriangleCorners corners_of(const host::ScreenTriangle& triangle) {
+    TriangleCorners corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const host::ScreenVertex& vertex = triangle.vertices[i];
+        corners[i] = {
+            static_cast<std::int16_t>(vertex.x),     static_cast<std::int16_t>(vertex.y),
+            static_cast<std::int16_t>(vertex.depth), static_cast<std::int16_t>(vertex.shade),
+            static_cast<std::uint16_t>(vertex.u),    static_cast<std::uint16_t>(vertex.v)};
+    }
+    return corners;
+}
+
+}  // namespace
+
+TileSorterSettings sorter_settings(const Blueprint& blueprint) {
+    const config::MachineDescription& machine = blueprint.description;
+    const topology::BucketTiles& tiles = *blueprint.tiles;
+    TileSorterSettings settings;
+    settings.time_per_triangle = machine.sorter.time_per_triangle;
+    settings.time_per_pair = machine.sorter.time_per_pair;
+    settings.queues.assignment = machine.sorter.assignment;
+    settings.queues.columns = tiles.columns();
+    settings.queues.rows = tiles.rows();
+    settings.queues.rasterizers = static_cast<int>(blueprint.topology.nodes.size());
+    settings.queues.pair_weight = pair_weight(machine, tiles);
+    return settings;
+}
+
+RasterizerSettings rasterizer_settings(const config::MachineDescription& machine) {
+    RasterizerSettings settings;
+    settings.clock = machine.nodes.clock.clock();
+    settings.cycles_per_triangle = machine.rasterizer.cycles_per_triangle;
+    settings.cycles_per_pixel = machine.rasterizer.cycles_per_pixel;
+    settings.fifo.reset();
+    if (machine.rasterizer.fifo) {
+        settings.fifo = static_cast<std::size_t>(*machine.rasterizer.fifo);
+    }
+    return settings;
+}
+
+TileFeederSettings feeder_settings(const config::MachineDescription& machine, NodeIndex node) {
+    TileFeederSettings settings;
+    settings.node = node;
+    settings.receiver_places = static_cast<int>(machine.rasterizer.input_fifo);
+    settings.time_per_word = machine.sorter.time_per_word;
+    return settings;
+}
+
+void set_tile_ports(Processor::Settings& settings, const Blueprint& blueprint) {
+    const config::MachineDescription& machine = blueprint.description;
+    const topology::TileSize tile = blueprint.tiles->tile_size();
+    if (tile.width > kMaxFrameBufferColumns) {
+        throw machine.error("topology.tile", machine.topology.parameters.at("tile"),
+                            "is wider than a processor's frame buffer",
+                            fmt::format("at most {} pixels wide", kMaxFrameBufferColumns));
+    }
+    settings.supervised = true;
+    settings.max_message = static_cast<int>(kTriangleMessageBytes);
+    settings.ports.ports = 1;
+    settings.ports.transmitting = 0;
+    settings.ports.receiving = 1;
+    settings.ports.input_queue = static_cast<int>(machine.rasterizer.input_fifo);
+    settings.frame_buffer = FrameBuffer::Settings{tile.height, tile.width, false};
+}
+
+std::shared_ptr<const TileScene> tile_scene(
+    const topology::BucketTiles& tiles,
+    const std::vector<std::vector<host::ScreenTriangle>>& triangles) {
+    auto scene = std::make_shared<TileScene>();
+    scene->tiles = tiles;
+    scene->frames.clear();
+    for (const std::vector<host::ScreenTriangle>& of_frame : triangles) {
+        std::transform(of_frame.begin(), of_frame.end(),
+                       std::back_inserter(scene->frames.emplace_back()), corners_of);
+    }
+    return scene;
+}
+
+std::vector<TileFrame> sort_frames(const std::vector<std::vector<host::ScreenTriangle>>& triangles,
+                                   const topology::BucketTiles& tiles, host::OverlapRule rule) {
+    std::vector<TileFrame> frames;
+    for (const std::vector<host::ScreenTriangle>& of_frame : triangles) {
+        TileFrame& frame = frames.emplace_back();
+        frame.triangles = static_cast<std::uint32_t>(of_frame.size());
+        for (std::uint32_t i = 0; i < frame.triangles; ++i) {
+            for (const host::TilePixels& tile : overlapped_tiles(of_frame[i], tiles, rule)) {
+                frame.pairs.push_back({tile.tile, i, tile.pixels});
+            }
+        }
+    }
+    return frames;
+}
+
+}  // namespace rasterloom::emulation
