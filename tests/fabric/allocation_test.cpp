@@ -3,11 +3,13 @@
 // program's own.
 #include "machine/fabric/network.hpp"
 #include "machine/fabric/polygon_network.hpp"
+#include "machine/fabric/tile_sorter.hpp"
 #include "tests/node/script_program.hpp"
 #include "topologies/regular.hpp"
 
 #include <atomic>
 #include <cstdlib>
+#include <memory>
 #include <new>
 
 #include <gtest/gtest.h>
@@ -123,6 +125,54 @@ TEST(SteadyState, AllocatesNothingInThePolygonFabric) {
     ASSERT_EQ(simulation.run(Time::zero() + Duration::milliseconds(60)).end, RunEnd::limit);
     EXPECT_EQ(allocations - before, 0);
     EXPECT_GT(network.source->statistics().polygons - sent_before, 1'000);
+}
+
+TEST(SteadyState, AllocatesNothingInTheTileFeeders) {
+    TileSorterSettings sorting;
+    sorting.queues = {TileAssignment::next_free, 128, 96, 4, 0};
+    sorting.supervised = false;
+    TileFeederSettings feeding;
+    feeding.time_per_word = Duration::nanoseconds(50);
+    auto scene = std::make_shared<TileScene>();
+    scene->tiles = {1024, 768, {8, 8}};
+    scene->frames[0].resize(1000);
+    TileFrame frame{1000, {}};
+    for (TileIndex i = 0; i < 50'000; ++i) {
+        frame.pairs.push_back({i % scene->tiles.tiles(), i % 1000, 1});
+    }
+    Simulation simulation;
+    auto& sorter = simulation.add<TileSorter>("sorter", sorting);
+    std::vector<TileFeeder*> feeders;
+    for (int i = 0; i < sorting.queues.rasterizers; ++i) {
+        Processor::Settings processor;
+        processor.ports = {1, 1, feeding.receiver_places, SendPolicy::one_at_a_time};
+        processor.ports.transmitting = 0;
+        processor.supervised = false;
+        auto& node = simulation.add<Processor>(
+            "node/P" + std::to_string(i),
+            std::make_unique<ScriptCore>(
+                endless_reception(static_cast<std::uint32_t>(i)).program()),
+            processor);
+        feeders.push_back(&simulation.add<TileFeeder>("feeder/" + std::to_string(i), feeding));
+        feeders.back()->load(scene);
+        feeders.back()->connect(simulation, node, Processor::receive_port(0));
+        sorter.connect(simulation, i, *feeders.back());
+    }
+    sorter.load({frame});
+    simulation.seal();
+    const auto sent = [&] {
+        std::int64_t sum = 0;
+        for (const TileFeeder* feeder : feeders) {
+            sum += feeder->statistics().triangles;
+        }
+        return sum;
+    };
+    ASSERT_EQ(simulation.run(Time::zero() + Duration::milliseconds(10)).end, RunEnd::limit);
+    const std::int64_t sent_before = sent();
+    const long before = allocations;
+    ASSERT_EQ(simulation.run(Time::zero() + Duration::milliseconds(20)).end, RunEnd::limit);
+    EXPECT_EQ(allocations - before, 0);
+    EXPECT_GT(sent() - sent_before, 5'000);
 }
 
 }  // namespace
