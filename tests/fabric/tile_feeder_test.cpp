@@ -220,7 +220,9 @@ TEST(TileFeeder, LetsThePhaseEndWhenAllHasBeenSentAndEveryReceiverHasTakenTheEnd
         for (std::size_t k = 0; k < run; ++k) {
             RC_ASSERT(records[k].ended == sent[k] + Duration::tick());
             const Time done = std::max(records[k].ended, taken_by_all[k]);
-            RC_ASSERT(k + 1 == run || records[k + 1].began == done + settings.supervisor.latency);
+            if (k + 1 < run) {
+                RC_ASSERT(records[k + 1].began == done + settings.supervisor.latency);
+            }
         }
     }));
 }
