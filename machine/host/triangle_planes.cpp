@@ -59,8 +59,8 @@ Layout::Layout(const ScreenTriangle& triangle) {
     height_shift = 15 - bits_of(long_y);
     height15 = times_power_of_two(long_y, height_shift);
     precision = area_shift + height_shift - 1;
-    sliver = precision < 0;
-    precision = std::max(precision, 0);
+    sliver = precision < 1;
+    precision = std::max(precision, 1);
 }
 
 // The three vertices' values are those of `f`, scaled already.
@@ -80,15 +80,17 @@ LinearFunction plane(const Layout& layout, const Values& f, int bias) {
     const std::int64_t rest = times_power_of_two(f.to_bottom, layout.precision) - m * layout.long_x;
     const std::int64_t quarter = rest >> 2;
     const std::int64_t whole = quarter / layout.height15;
-    const std::int64_t fraction = (quarter % layout.height15 << 15) / layout.height15;
-    const std::int64_t g = (whole << 15) + fraction;
-    const std::int64_t dx = times_power_of_two(m, 20 - layout.precision);
-    const std::int64_t dy =
-        times_power_of_two(g, 7 + layout.height_shift - layout.precision) & ~std::int64_t{1};
-    const std::int64_t at_origin =
-        ((f.top + bias) << 16) + (1 << 15) + (-layout.top_x * dx >> 4) + (-layout.top_y * dy >> 4);
-    return {static_cast<std::uint32_t>(at_origin), static_cast<std::uint32_t>(dx),
-            static_cast<std::uint32_t>(dy)};
+    const std::int64_t fraction = quarter % layout.height15 * (1 << 15) / layout.height15;
+    const int scale = layout.height_shift + 7 - layout.precision;
+    const std::int64_t g = times_power_of_two(whole * (1 << 15) + fraction, std::min(scale, 0));
+    const int shift_x = 20 - layout.precision;
+    const int shift_y = std::max(scale, 0);
+    const std::int64_t at_origin = (f.top + bias) * (1 << 16) + (1 << 15) +
+                                   times_power_of_two(-layout.top_x * m, shift_x - 4) +
+                                   times_power_of_two(-layout.top_y * g, shift_y - 4);
+    return {static_cast<std::uint32_t>(at_origin),
+            static_cast<std::uint32_t>(times_power_of_two(m, shift_x)),
+            static_cast<std::uint32_t>(times_power_of_two(g, shift_y))};
 }
 
 }  // namespace

@@ -10,15 +10,14 @@
 //
 //     A = |Ex Dy - Dx Ey|                            twice the area, M to the right of the long
 //     edge N = e Dy - d Ey, times -1 with M to its left A' = A 2^-a with 15 bits, D' = Dy 2^k with
-//     15 bits, p = a + k - 1 m = N 2^(k-1) / A'                             so f changes by m
-//     2^(4-p) a pixel to the right P = d 2^p - m Dx w = P 2^-2 / D', remainder s;  g = 2^15 w +
-//     2^15 s / D' Gx = m 2^(20-p)                                slope to the right, 16 bits of it
-//     fraction Gy = g 2^(7+k-p), made even downwards          slope downwards, likewise F(x, y) =
-//     2^16 (f(T) + bias) + 2^15 + (16 x - Tx) Gx / 16 + (16 y - Ty) Gy / 16
+//     15 bits, p = a + k - 1 m = N 2^(k-1) / A' P = d 2^p - m Dx w = P 2^-2 / D', remainder r;  t =
+//     k + 7 - p g = 2^15 w + 2^15 r / D', times 2^t when t < 0 Gx = m 2^(20-p) slope to the right,
+//     16 bits of it fraction Gy = g 2^max(t,0)                              slope downwards,
+//     likewise F(x, y) = 2^16 (f(T) + bias) + 2^15 + (16 x - Tx) Gx / 16 + (16 y - Ty) Gy / 16
 //
-// Multiplying by a power of two cuts off downwards, dividing cuts towards zero. A triangle whose
-// p would be negative, nowhere wider than a quarter of a pixel (sliver), has m = 0 and p = 0: each
-// of its pixels has the value of the long edge on its line.
+// Multiplying by a power of two (and the division by 16) cuts off downwards, other divisions cut
+// towards zero. A sliver, a triangle with p < 1 and so nowhere wider than a quarter of a pixel, has
+// m = 0 and p = 1: each of its pixels has the value of the long edge on its line.
 //
 // Gy leads from T to B whatever the error of Gx, which counts for the distance from the long edge
 // only. So on covered pixels F is off by some ten units of f at most, whatever the triangle's

@@ -4,7 +4,11 @@
 
 #include "machine/fabric/polygon.hpp"
 #include "machine/host/screen_triangle.hpp"
+#include "machine/host/triangle_planes.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include <rapidcheck.h>
@@ -47,6 +51,41 @@ inline ScreenTriangle any_front(int least, int most) {
     const ScreenTriangle triangle = any_triangle(least, most);
     RC_PRE(doubled_area(triangle) != 0);
     return doubled_area(triangle) > 0 ? triangle : turned_over(triangle);
+}
+
+// What software rasterizers can draw (triangle_planes.hpp), of any size and shape: on a screen or
+// partly, or far, beside it, needles, points on samples; with any values.
+inline ScreenTriangle any_plane_triangle(int width, int height) {
+    const auto in = [](int least, int most) {
+        return *rc::gen::resize(1000, rc::gen::inRange(least, most + 1));
+    };
+    constexpr int kFar = kFarthestPlaneVertex * kSubpixels;
+    const int spread = std::array{4, 40, 400, 3000, kFar / 2}[static_cast<std::size_t>(in(0, 4))];
+    const int step = in(0, 3) == 0 ? kSubpixels : 1;  // vertices on samples
+    const int x = in(0, width * kSubpixels / step) * step;
+    const int y = in(0, height * kSubpixels / step) * step;
+    const auto near = [&](int place, int reach) {
+        return std::clamp(place + in(-reach / step, reach / step) * step, -kFar / 2, kFar / 2);
+    };
+    ScreenTriangle triangle;
+    for (ScreenVertex& vertex : triangle.vertices)
+        vertex = {near(x, spread),         near(y, spread), in(0, kFarthest),
+                  in(0, 255 * kShadeUnit), in(0, 65535),    in(0, 65535)};
+    if (in(0, 3) == 0) {  // a needle
+        auto& [a, b, c] = triangle.vertices;
+        const int share = in(0, 16);
+        c.x = a.x + (b.x - a.x) * share / 16 + in(-2, 2) * step;
+        c.y = a.y + (b.y - a.y) * share / 16 + in(-2, 2) * step;
+    }
+    RC_PRE(doubled_area(triangle) != 0);
+    return doubled_area(triangle) > 0 ? triangle : turned_over(triangle);
+}
+
+// Nowhere wider than half a pixel: values are allowed to be those of the long edge.
+inline bool is_thin(const ScreenTriangle& triangle) {
+    const auto& [a, b, c] = triangle.vertices;
+    const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+    return 2 * doubled_area(triangle) < std::int64_t{kSubpixels} * (bottom - top);
 }
 
 }  // namespace rasterloom::host
