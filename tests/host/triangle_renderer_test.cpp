@@ -226,9 +226,9 @@ TEST(TriangleRenderer, DrawsASpheresWholeSilhouette) {
 // The same vertices drawn by the renderer of the geodesic machine, whose samples lie in the middles
 // of pixels and which has a rule for borders.
 Picture drawn_otherwise(const TriangleScene& scene, int distance, const TriangleLights& lights) {
-    std::vector<ScreenTriangle> triangles;
+    std::vector<ProjectedTriangle> triangles;
     for (const SceneTriangle& triangle : scene.triangles) {
-        ScreenTriangle on_screen{};
+        ProjectedTriangle on_screen{};
         for (std::size_t k = 0; k < 3; ++k) {
             const auto& [place, normal, u, v] = triangle.vertices[k];
             const glm::dvec3 eye{-place[1], place[2], place[0] + distance};
