@@ -26,15 +26,10 @@ class Published:
 PUBLISHED = {"Quake": Published(536, 2784.4, 1.90, 132), "Flight": Published(643, 1544.3, 1.26), "Studio": Published(1676, 807.8, 1.72, 37),
              "Cylhead": Published(4836, 38.3, 0.24, 7.2), "Head": Published(29045, 8.4, 0.31, 2.4)}
 
-# skew, box ratio, aspect. The paper does not say them: chosen so that the overlap at 8 x 8 is the published one, the skew of Quake also for the
-# 1.496 million cycles of 4.3, those of Studio and Cylhead for their hardware R. Of Flight nothing is known; it has Quake's.
-SHAPES = {"Quake": (6, 2.7, 1), "Flight": (6, 2.7, 1), "Studio": (6, 2.25, 2), "Cylhead": (3, 2.85, 16), "Head": (3, 3, 1)}
-
 
 def synthetic(name):
-    skew, ratio, aspect = SHAPES[name]
-    found = PUBLISHED[name]
-    return ("--random", str(found.visible), "--mean-area", str(found.area), "--skew", str(skew), "--box-ratio", str(ratio), "--aspect", str(aspect))
+    """Of any machine: only its screen and its scene count."""
+    return ("--machine", "configs/uniprocessor.yaml", "--set", "screen={width: 1024, height: 768}", "--set", f"scene=scenes/chen-{name.lower()}.yaml")
 
 
 def arena(*view):

@@ -3,6 +3,7 @@
 #include "machine/cli/command.hpp"
 #include "machine/config/locator.hpp"
 #include "machine/emulation/programs.hpp"
+#include "machine/emulation/scene_kind.hpp"
 #include "machine/host/polygon_scenes.hpp"
 #include "machine/host/scenes.hpp"
 #include "topologies/registry.hpp"
@@ -97,6 +98,8 @@ void list_scenes(const config::Locator& locator) {
                         std::string(scene.summary) +
                             (scene.takes_model ? " (takes another model: scene.model)" : "")});
     }
+    rows.push_back({std::string("triangles: ") + emulation::kRandomTriangles,
+                    "screen triangles with given statistics (scene.triangles), for bucket tiles"});
     for (Row& row : files_below(locator.configs() / "scenes", ".yaml")) {
         rows.push_back({"scenes/" + row.name, row.summary});
     }

@@ -2,8 +2,10 @@
 // rasterloom triangles: the screen triangles of a scene, for `rasterloom overlap` and the machines
 // that draw by tiles.
 #include "machine/cli/command.hpp"
+#include "machine/cli/config_options.hpp"
 #include "machine/cli/mesh_options.hpp"
 #include "machine/config/error.hpp"
+#include "machine/emulation/triangle_frames.hpp"
 #include "machine/host/polygon_projection.hpp"
 #include "machine/host/polygon_stage.hpp"
 #include "machine/host/texture_places.hpp"
@@ -25,9 +27,13 @@ namespace rasterloom::cli {
 
 namespace {
 
+constexpr int kLastFrame = 9999;
+
 using Place = std::array<double, 3>;
 
 struct TrianglesOptions {
+    ConfigOptions machine;
+    std::int64_t frame = 0;
     MeshOptions mesh;
     Place eye{-4, 0, 0};
     Place target{0, 0, 0};
@@ -37,7 +43,23 @@ struct TrianglesOptions {
     std::string out;
 };
 
-std::vector<host::ScreenTriangle> random_scene(const TrianglesOptions& options) {
+struct Scene {
+    std::vector<host::ScreenTriangle> triangles;
+    std::int64_t width;  // of the screen, pixels
+    std::int64_t height;
+};
+
+Scene machines_scene(const TrianglesOptions& options, const Session& session) {
+    config::MachineDescription machine = load(options.machine, session);
+    if (!machine.scene) {
+        throw machine.error("scene", {}, "missing", "an object, a mesh or screen triangles");
+    }
+    machine.run.frames = options.frame + 1;
+    return {emulation::make_triangle_frames(machine).frames.back(), machine.screen.width,
+            machine.screen.height};
+}
+
+std::vector<host::ScreenTriangle> random_triangles(const TrianglesOptions& options) {
     host::RandomTriangles random = options.random;
     if (options.depth_complexity != 0) {
         random.mean_area = options.depth_complexity * random.width * random.height /
@@ -46,7 +68,7 @@ std::vector<host::ScreenTriangle> random_scene(const TrianglesOptions& options) 
     return host::random_triangles(random);
 }
 
-std::vector<host::ScreenTriangle> mesh_scene(const TrianglesOptions& options) {
+std::vector<host::ScreenTriangle> mesh_triangles(const TrianglesOptions& options) {
     const auto place = [](const Place& p) { return glm::dvec3{p[0], p[1], p[2]}; };
     const host::Camera camera{.eye = place(options.eye),
                               .target = place(options.target),
@@ -63,18 +85,51 @@ std::vector<host::ScreenTriangle> mesh_scene(const TrianglesOptions& options) {
     return triangles;
 }
 
-void write_triangles(const TrianglesOptions& options) {
+Scene make_scene(const TrianglesOptions& options, const Session& session) {
+    if (!options.machine.file.empty()) {
+        return machines_scene(options, session);
+    }
+    return {options.random.count != 0 ? random_triangles(options) : mesh_triangles(options),
+            options.random.width, options.random.height};
+}
+
+void write_triangles(const TrianglesOptions& options, const Session& session) {
     try {
-        const auto triangles =
-            options.random.count != 0 ? random_scene(options) : mesh_scene(options);
-        host::save_triangles(options.out, triangles);
-        fmt::print("{}: {} triangles on {} x {} pixels\n", options.out, triangles.size(),
-                   options.random.width, options.random.height);
+        const Scene scene = make_scene(options, session);
+        host::save_triangles(options.out, scene.triangles);
+        fmt::print("{}: {} triangles on {} x {} pixels\n", options.out, scene.triangles.size(),
+                   scene.width, scene.height);
+    } catch (const config::ConfigError&) {
+        throw;
     } catch (const std::runtime_error& problem) {  // files
         config::refuse({}, {}, {}, problem.what());
     } catch (const std::invalid_argument& problem) {
         config::refuse({}, {}, {}, problem.what());
     }
+}
+
+void add_scene_options(CLI::App& command, TrianglesOptions& options) {
+    CLI::App* const scene = command.add_option_group("Scene", "one of them");
+    add_mesh_sources(*scene, options.mesh);
+    scene->add_option("--random", options.random.count, "So many triangles evenly over the screen")
+        ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(host::kMostTriangles)))
+        ->type_name("N");
+    CLI::Option* const machine =
+        scene
+            ->add_option("--machine", options.machine.file,
+                         "The scene of a machine's configuration, on its screen")
+            ->type_name("FILE");
+    scene->require_option(1);
+    command
+        .add_option("--set", options.machine.overrides,
+                    "Change a value of the machine's configuration; may be given several times")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->needs(machine);
+    command.add_option("--frame", options.frame, "Of the machine's frames, from 0")
+        ->check(CLI::Range(0, kLastFrame))
+        ->needs(machine)
+        ->capture_default_str();
 }
 
 void add_view_options(CLI::App& command, TrianglesOptions& options) {
@@ -113,16 +168,11 @@ void add_random_options(CLI::App& command, TrianglesOptions& options) {
 
 }  // namespace
 
-void add_triangles_command(CLI::App& app, Session&) {
+void add_triangles_command(CLI::App& app, Session& session) {
     auto options = std::make_shared<TrianglesOptions>();
     CLI::App* command = app.add_subcommand(
         "triangles", "Write a scene's triangles as they are on the screen: what `overlap` reads");
-    CLI::App* const scene = command->add_option_group("Scene", "one of them");
-    add_mesh_sources(*scene, options->mesh);
-    scene->add_option("--random", options->random.count, "So many triangles evenly over the screen")
-        ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(host::kMostTriangles)))
-        ->type_name("N");
-    scene->require_option(1);
+    add_scene_options(*command, *options);
     command->add_option("--out", options->out, "The file, such as teapot.triangles")
         ->required()
         ->type_name("FILE");
@@ -132,7 +182,7 @@ void add_triangles_command(CLI::App& app, Session&) {
         ->capture_default_str();
     command->add_option("--height", options->random.height, "Of the screen, pixels")
         ->capture_default_str();
-    command->callback([options] { write_triangles(*options); });
+    command->callback([options, &session] { write_triangles(*options, session); });
 }
 
 }  // namespace rasterloom::cli

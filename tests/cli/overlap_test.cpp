@@ -2,7 +2,6 @@
 // rasterloom triangles and rasterloom overlap.
 #include "tests/cli/command_line.hpp"
 
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -100,6 +99,44 @@ TEST_F(Overlap, OfAMeshDependsOnWhereTheViewerStands) {
     EXPECT_GT(counts({"near.triangles"})["pixels"], counts({"far.triangles"})["pixels"]);
     expect_refused({"triangles", "--mesh", "one.obj", "--turn", "180", "--out", "b.triangles"},
                    "nothing of the mesh is visible, expected a view of its front");
+}
+
+TEST_F(Overlap, OfAMachinesSceneIsThatOfTheFrameAskedFor) {
+    const auto made = [this](const char* name, std::vector<std::string> options) {
+        options.insert(options.begin(),
+                       {"triangles", "--machine", "uniprocessor.yaml", "--out", name});
+        const auto done = rasterloom(options);
+        EXPECT_EQ(done.status, 0) << done.err;
+        return read_text(work_ / name);
+    };
+    const std::string turning = "scene={object: teapot, rotate: {degrees: 30}}";
+    const auto first = made("a.triangles", {"--set", turning});
+    EXPECT_EQ(made("b.triangles", {"--set", turning, "--frame", "0"}), first);
+    EXPECT_EQ(made("b.triangles", {"--set", turning, "--frame", "2"}),
+              made("c.triangles", {"--set", "scene={object: teapot, rotate: {start: 60}}"}));
+    made("d.triangles",
+         {"--set", "scene=scenes/chen-quake.yaml", "--set", "screen={width: 1024, height: 768}"});
+    rasterloom({"triangles", "--random", "536", "--mean-area", "2784.4", "--skew", "6",
+                "--box-ratio", "2.7", "--out", "e.triangles"});
+    EXPECT_EQ(read_text(work_ / "d.triangles"), read_text(work_ / "e.triangles"));
+    const std::string camera = "scene={object: teapot, camera: {eye: [-4, 0, 0]}}";
+    made("f.triangles", {"--set", camera, "--set", "screen={width: 1024, height: 768}"});
+    rasterloom({"triangles", "--object", "teapot", "--out", "g.triangles"});
+    EXPECT_EQ(read_text(work_ / "f.triangles"), read_text(work_ / "g.triangles"));
+}
+
+TEST_F(Overlap, RefusesMachinesWithoutTriangles) {
+    const auto machine = [this](std::vector<std::string> arguments, const char* what) {
+        arguments.insert(arguments.begin(), {"triangles", "--out", "no.triangles"});
+        expect_refused(arguments, what);
+    };
+    machine({"--machine", "uniprocessor.yaml"}, "not screen polygons 'runway'");
+    machine({"--machine", "ring.yaml"}, "scene: missing");
+    machine({"--machine", "uniprocessor.yaml", "--frame", "-1"}, "--frame");
+    machine({"--object", "cube", "--frame", "1"}, "--frame requires --machine");
+    write("bad.triangles", "1 1 0 0\n");
+    machine({"--machine", "uniprocessor.yaml", "--set", "scene={object: bad.triangles}"},
+            "bad.triangles:1:8: x is the end of the line");
 }
 
 TEST_F(Overlap, RefusesTilesThatMakeNoSense) {

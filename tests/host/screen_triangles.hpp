@@ -47,6 +47,16 @@ inline ScreenTriangle any_triangle(int least, int most) {
     return triangle;
 }
 
+// Likewise with places in a texture.
+inline ScreenTriangle any_textured_triangle(int least, int most) {
+    ScreenTriangle triangle = any_triangle(least, most);
+    for (ScreenVertex& vertex : triangle.vertices) {
+        vertex.u = *rc::gen::resize(1000, rc::gen::inRange(0, kTextureUnits));
+        vertex.v = *rc::gen::resize(1000, rc::gen::inRange(0, kTextureUnits));
+    }
+    return triangle;
+}
+
 inline ScreenTriangle any_front(int least, int most) {
     const ScreenTriangle triangle = any_triangle(least, most);
     RC_PRE(doubled_area(triangle) != 0);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,6 +94,39 @@ TEST(TrianglesThroughALens, AreCutOffBeforeTheViewer) {
             EXPECT_GE(vertex.y, 16 * (kHeight - 1) / 2 + 16 * 20 - 1);  // at distance 5
 }
 
+TEST(TrianglesThroughALens, KeepTheirPlacesInATexture) {
+    const auto at = [](double x, double y, double distance, glm::dvec2 texture) {
+        StageCorner corner = corner_at(x, y, distance);
+        corner.texture = texture;
+        return corner;
+    };
+    const auto triangles =
+        seen({at(10, 20, 1, {0, 0.25}), at(10, 40, 2, {0.5, 1}), at(40, 20, 4, {1.5, 0})});
+    ASSERT_EQ(triangles.size(), 1U);
+    const auto& [a, b, c] = triangles[0].vertices;
+    EXPECT_EQ(std::pair(a.u, a.v), std::pair(0, 16384));
+    EXPECT_EQ(std::pair(b.u, b.v), std::pair(32768, 65535));  // 1 is the last place
+    EXPECT_EQ(std::pair(c.u, c.v), std::pair(65535, 0));      // held to one texture
+}
+
+// A floor to the right of the left side: where it is cut off, so is its texture.
+TEST(TrianglesThroughALens, AreCutOffWithTheirTexture) {
+    const auto at = [](double x, double y, glm::dvec2 texture) {
+        StageCorner corner = corner_at(x, y);
+        corner.texture = texture;
+        return corner;
+    };
+    const double left = -100.5;
+    const auto triangles = seen(
+        {at(left, 10, {0, 0}), at(left, 30, {0, 1}), at(99.5, 30, {1, 1}), at(99.5, 10, {1, 0})});
+    ASSERT_EQ(triangles.size(), 2U);
+    for (const auto& triangle : triangles)
+        for (const auto& vertex : triangle.vertices) {
+            EXPECT_EQ(vertex.u, vertex.x < 0 ? 32768 : 65535);
+            EXPECT_EQ(vertex.v, vertex.y == 160 ? 0 : 65535);
+        }
+}
+
 TEST(TrianglesThroughALens, OfASolidAreThoseThatFaceTheViewer) {
     const auto stage = stage_polygons(make_scene_object("cube"));
     const auto triangles =
@@ -146,6 +180,16 @@ TEST(RandomTriangles, OfOneSizeOverlapAsManyTilesAsTheFormulaSays) {
         pairs += static_cast<double>(
             overlapped_tiles(triangle, tiles, OverlapRule::bounding_box).size());
     EXPECT_NEAR(pairs / 20'000, molnar_eyles_overlap(150, {16, 16}), 0.03);
+}
+
+TEST(RandomTriangles, HaveHalfATextureEach) {
+    for (const auto& triangle : random_triangles({.count = 100, .mean_area = 1, .skew = 9})) {
+        const auto& [a, b, c] = triangle.vertices;
+        EXPECT_EQ(std::pair(a.u, a.v), std::pair(0, 0));
+        EXPECT_EQ(std::minmax({b.u, c.u}), std::pair(0, 65535));
+        EXPECT_EQ(std::minmax({b.v, c.v}), std::pair(0, 65535));
+        EXPECT_NE(b.u, b.v);
+    }
 }
 
 TEST(RandomTriangles, DependOnTheSeedOnly) {
