@@ -52,7 +52,8 @@ BucketReport::Rasterizer count(const TileFeeder& feeder) {
 
 }  // namespace
 
-BucketReport gather_buckets(const Blueprint& blueprint, const BucketNetwork& buckets) {
+BucketReport gather_buckets(const Blueprint& blueprint, const BucketNetwork& buckets,
+                            const std::vector<observe::PhaseReport>& phases) {
     const topology::BucketTiles& tiles = *blueprint.tiles;
     const Clock clock = blueprint.description.nodes.clock.clock();
     const auto cycles = [&clock](Duration duration) {
@@ -68,7 +69,9 @@ BucketReport gather_buckets(const Blueprint& blueprint, const BucketNetwork& buc
         BucketReport::Frame& frame =
             report.frames.emplace_back(count(buckets.sorter->work_of_frame(i), tiles.tiles()));
         frame.sort_cycles = cycles(record.sorted - record.began);
-        frame.draw_cycles = cycles(record.ended - record.sorted);
+        // What has been sent to a program is not drawn yet.
+        const Time drawn = report.hardware || i >= phases.size() ? record.ended : phases[i].end;
+        frame.draw_cycles = cycles(drawn - record.sorted);
     }
     for (const Rasterizer* rasterizer : buckets.rasterizers) {
         report.rasterizers.push_back(count(*rasterizer));

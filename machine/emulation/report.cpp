@@ -130,7 +130,7 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
             report.nodes.push_back(rasterizer_report(*rasterizer, report));
             report.nodes.back().name = blueprint.topology.nodes[report.nodes.size() - 1].name;
         }
-        report.buckets = gather_buckets(blueprint, *buckets);
+        report.buckets = gather_buckets(blueprint, *buckets, report.phases);
     }
     for (const NetworkLink& wire : machine.links()) {
         report.links.push_back(link_report(wire, machine.processors()));
