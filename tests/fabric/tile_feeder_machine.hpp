@@ -8,8 +8,8 @@
 #include "machine/kernel/random.hpp"
 #include "tests/fabric/tile_machine.hpp"
 
+#include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -5,7 +5,6 @@
 #include "tests/fabric/tile_feeder_machine.hpp"
 #include "tests/node/script_program.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace rasterloom {

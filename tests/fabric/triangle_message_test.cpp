@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "machine/fabric/triangle_message.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
