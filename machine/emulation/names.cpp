@@ -26,6 +26,21 @@ std::vector<std::string> names_from_symbols(const isa::Image& image, std::string
     return names;
 }
 
+std::vector<std::string> activity_names(const Blueprint& blueprint) {
+    if (!blueprint.description.has_program()) {
+        return {"set_up", "pixels"};  // by Rasterizer::kSetUp, kPixels
+    }
+    return names_from_symbols(*blueprint.image, "mark_", kActivities);
+}
+
+std::vector<std::string> phase_names(const Blueprint& blueprint, const Machine& machine) {
+    if (!blueprint.description.has_program()) {
+        return {"draw"};
+    }
+    return names_from_symbols(*blueprint.image, "phase_name_",
+                              static_cast<std::uint32_t>(machine.phases_per_frame()));
+}
+
 observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& machine) {
     const config::MachineDescription& description = blueprint.description;
     observe::MachineNames names;
@@ -61,9 +76,8 @@ observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& m
         machine.fabric()->for_each_part(
             [&](const auto& part) { names.parts.push_back(part.id()); });
     }
-    names.activities = names_from_symbols(*blueprint.image, "mark_", kActivities);
-    names.phases = names_from_symbols(*blueprint.image, "phase_name_",
-                                      static_cast<std::uint32_t>(machine.phases_per_frame()));
+    names.activities = activity_names(blueprint);
+    names.phases = phase_names(blueprint, machine);
     names.latency = machine.fabric() == nullptr ? description.links.latency
                     : description.fabric.ideal  ? Duration::tick()
                                                 : description.fabric.latency;

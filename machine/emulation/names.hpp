@@ -20,4 +20,9 @@ observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& m
 std::vector<std::string> names_from_symbols(const isa::Image& image, std::string_view prefix,
                                             std::uint32_t count);
 
+// What MARK calls the activities, or what rasterizers in hardware are busy with; and phases of a
+// frame. Shorter than their number, and empty, where nobody names them.
+std::vector<std::string> activity_names(const Blueprint& blueprint);
+std::vector<std::string> phase_names(const Blueprint& blueprint, const Machine& machine);
+
 }  // namespace rasterloom::emulation

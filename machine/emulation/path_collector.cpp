@@ -10,18 +10,23 @@ namespace rasterloom::emulation {
 PathCollector::PathCollector(Machine& machine)
     : machine_(machine),
       keeper_(machine.simulation().partitions()),
-      intervals_(machine.processors().size()),
-      intervals_of_frame_(machine.processors().size()),
+      intervals_(machine.node_ids().size()),
+      intervals_of_frame_(intervals_.size()),
       log_(machine.simulation().components().size()) {
     Simulation& simulation = machine.simulation();
     for (std::size_t partition = 0; partition < simulation.partitions(); ++partition) {
         simulation.listen_to_causes(partition, keeper_.for_partition(partition));
     }
     machine.frame_probe()->attach(*this);
-    for (std::size_t node = 0; node < intervals_.size(); ++node) {
-        Processor& processor = *machine.processors()[node];
-        processor.probe().attach(*this);
-        node_of_[static_cast<std::uint32_t>(processor.id())] = node;
+    for (Processor* processor : machine.processors()) {
+        processor->probe().attach(*this);
+        node_of_[static_cast<std::uint32_t>(processor->id())] = processor->node();
+    }
+    if (const BucketNetwork* buckets = machine.buckets()) {
+        for (Rasterizer* rasterizer : buckets->rasterizers) {
+            rasterizer->node_probe().attach(*this);
+            node_of_[static_cast<std::uint32_t>(rasterizer->id())] = rasterizer->settings().node;
+        }
     }
 }
 

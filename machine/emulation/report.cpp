@@ -47,7 +47,11 @@ observe::NodeReport rasterizer_report(const Rasterizer& rasterizer, const observ
         report.statistics.cycles +=
             rasterizer.settings().clock.edge_at_or_before(Time::zero() + busy).count();
     }
-    report.statistics.busy_with[0] = report.statistics.in_state(NodeState::busy);
+    const Duration pixels =
+        rasterizer.settings().clock.edge(rasterizer.statistics().pixel_busy).since_start();
+    report.statistics.busy_with[Rasterizer::kPixels] = pixels;
+    report.statistics.busy_with[Rasterizer::kSetUp] =
+        report.statistics.in_state(NodeState::busy) - pixels;
     return report;
 }
 
@@ -93,24 +97,21 @@ observe::TimelineSubjects timeline_subjects(const Blueprint& blueprint, const Ma
 observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
                                  observe::PhaseLog& phases, Time end) {
     const config::MachineDescription& description = blueprint.description;
-    const isa::Image& image = *blueprint.image;
-    observe::RunReport report{
-        .machine = description.machine,
-        .clock = description.nodes.clock.clock(),
-        .end = end,
-        .frames = description.run.frames,
-        .frame_ends = phases.frame_ends(),
-        .phases = phases.finish(end),
-        .nodes = {},
-        .links = {},
-        .fabric = gather_fabric(blueprint, machine, end),
-        .array = {},
-        .buckets = {},
-        .paths = {},
-        .phase_names = names_from_symbols(image, "phase_name_",
-                                          static_cast<std::uint32_t>(machine.phases_per_frame())),
-        .activity_names = names_from_symbols(image, "mark_", kActivities),
-        .events = machine.simulation().events_handled()};
+    observe::RunReport report{.machine = description.machine,
+                              .clock = description.nodes.clock.clock(),
+                              .end = end,
+                              .frames = description.run.frames,
+                              .frame_ends = phases.frame_ends(),
+                              .phases = phases.finish(end),
+                              .nodes = {},
+                              .links = {},
+                              .fabric = gather_fabric(blueprint, machine, end),
+                              .array = {},
+                              .buckets = {},
+                              .paths = {},
+                              .phase_names = phase_names(blueprint, machine),
+                              .activity_names = activity_names(blueprint),
+                              .events = machine.simulation().events_handled()};
     for (std::size_t node = 0; node < machine.processors().size(); ++node) {
         machine.processors()[node]->close_books(end);
         report.nodes.push_back(

@@ -84,7 +84,8 @@ void Rasterizer::draw(const TileWork& pair) {
     statistics_.pixels += pair.pixels;
     statistics_.triangle_blocked += Cycles(free_ - set_up);
     statistics_.pixel_starved += Cycles(drawing - before);
-    if (probe_.observed() || triangle_probe_.observed() || pixel_probe_.observed()) {
+    if (probe_.observed() || triangle_probe_.observed() || pixel_probe_.observed() ||
+        node_probe_.observed()) {
         tell({id(), pair, Cycles(begun), Cycles(set_up), Cycles(free_), Cycles(drawing),
               Cycles(drawn_)},
              before);
@@ -127,6 +128,8 @@ void Rasterizer::tell(const DrawnPair& pair, std::int64_t idle_from) {
     if (pair.drawn > pair.drawing) {
         pixel_probe_.enter(pixel_unit_, PartState::busy, time(pair.drawing));
     }
+    be_busy(kSetUp, time(pair.drawing));
+    be_busy(kPixels, time(pair.drawn));
     probe_.tell([&](RasterizerListener& listener) { listener.pair_drawn(pair); });
 }
 
@@ -142,16 +145,28 @@ void Rasterizer::tell_waited() {
             listener.interval_ended({settings_.node, NodeState::waiting_input, 0, told_until_,
                                      now(), scheduler().handling()});
         });
-        told_until_ = now();
+        told_until_ = active_until_ = now();
     }
 }
 
+void Rasterizer::be_busy(std::uint8_t activity, Time until) {
+    if (until <= active_until_) {
+        return;
+    }
+    if (activity != activity_) {
+        tell_busy();
+        activity_ = activity;
+    }
+    active_until_ = until;
+}
+
 void Rasterizer::tell_busy() {
-    if (reached() > told_until_) {
+    if (active_until_ > told_until_) {
         node_probe_.tell([&](NodeListener& listener) {
-            listener.interval_ended({settings_.node, NodeState::busy, 0, told_until_, reached()});
+            listener.interval_ended(
+                {settings_.node, NodeState::busy, activity_, told_until_, active_until_});
         });
-        told_until_ = reached();
+        told_until_ = active_until_;
     }
 }
 

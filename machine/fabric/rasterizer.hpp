@@ -104,8 +104,11 @@ class Rasterizer final : public Component {
     PartProbe& triangle_probe() { return triangle_probe_; }
     PartProbe& pixel_probe() { return pixel_probe_; }
     Probe<RasterizerListener>& probe() { return probe_; }
-    // The rasterizer as a whole: busy while either unit is, else it waits for pairs.
+    // The rasterizer as a whole: busy while either unit is, else it waits for pairs. What it is
+    // busy with is the one that the other waits for: kPixels while the pixel unit draws.
     Probe<NodeListener>& node_probe() { return node_probe_; }
+    static constexpr std::uint8_t kSetUp = 0;
+    static constexpr std::uint8_t kPixels = 1;
     // When it was busy, frame by frame: from the first grant until all was drawn. Frames in which
     // it got nothing are left out.
     struct BusyFrame {
@@ -127,6 +130,7 @@ class Rasterizer final : public Component {
     void tell(const DrawnPair& pair, std::int64_t idle_from);
     void tell_units_idle();
     void tell_waited();
+    void be_busy(std::uint8_t activity, Time until);
     void tell_busy();
     void end_frame();
     void send_as_of(std::int64_t cycle, TileEvent event, std::uint64_t payload = 0);
@@ -147,7 +151,9 @@ class Rasterizer final : public Component {
     PartProbe pixel_probe_;
     Probe<RasterizerListener> probe_;
     Probe<NodeListener> node_probe_;
-    Time told_until_;  // those who listen to nodes
+    Time told_until_;            // those who listen to nodes
+    std::uint8_t activity_ = 0;  // from then on,
+    Time active_until_;          // until then
 };
 
 }  // namespace rasterloom
