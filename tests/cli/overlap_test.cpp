@@ -169,7 +169,7 @@ TEST_F(Overlap, RefusesScenesThatMakeNoSense) {
     scene({"--random", "10", "--mean-area", "-1"}, "the mean area is -1, expected more than 0");
     scene({"--random", "10", "--mean-area", "9", "--depth-complexity", "1"}, "excludes");
     scene({"--random", "10", "--depth-complexity", "9"}, "the largest bounding box has");
-    scene({"--random", "10", "--object", "cube"}, "[--mesh,--object,--random]");
+    scene({"--random", "10", "--object", "cube"}, "[--mesh,--object,--random,--machine]");
     scene({"--object", "cube", "--width", "5000"}, "a picture of 5000 x 768 pixels");
     scene({"--object", "cube", "--eye", "0,0"}, "--eye");
     scene({"--object", "cube", "--eye", "0,0,0"}, "the target is where the eye is");
