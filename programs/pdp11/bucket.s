@@ -5,8 +5,7 @@
 ;
 ; What is drawn: machine/host/tile_renderer.hpp and triangle_planes.hpp state the rule, bit for bit; names of values are theirs.
 ; Symbols that choose the program, set before assembly:
-;   textured          1: a texel times the shade. 0: the shade (default)
-;   frame_buffer_bus  1: the image is written over the frame-buffer bus. 0: in memory (default)
+;   textured  1: a texel times the shade. 0: the shade (default)
 ;
 ; Messages come at port 0. Words, low byte first; coordinates are signed, y downwards:
 ;   byte 0 kind, byte 1 hops, word 1: 1 triangle, 0 end of the frame, -1 tile

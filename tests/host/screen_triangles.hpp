@@ -87,6 +87,10 @@ inline ScreenTriangle any_plane_triangle(int width, int height) {
         c.x = a.x + (b.x - a.x) * share / 16 + in(-2, 2) * step;
         c.y = a.y + (b.y - a.y) * share / 16 + in(-2, 2) * step;
     }
+    for (const auto value : {&ScreenVertex::depth, &ScreenVertex::shade, &ScreenVertex::u})
+        if (in(0, 3) == 0)  // the same, of two vertices or of three
+            for (std::size_t k = static_cast<std::size_t>(in(1, 2)); k < 3; ++k)
+                triangle.vertices[k].*value = triangle.vertices[0].*value;
     RC_PRE(doubled_area(triangle) != 0);
     return doubled_area(triangle) > 0 ? triangle : turned_over(triangle);
 }

@@ -109,12 +109,25 @@ tap_vertex_planes:
         .endm
 
 ; In: T, M, B in r5, r4, sp. Clobbers r0 to r3.
-        .macro  plane value, at, is_place
+        .macro  plane value, at, is_place, ?sloped, ?level, ?base
         mov     at(r4), r0              ; e
         sub     at(r5), r0
+        bne     sloped
+        mov     at(sp), r2
+        cmp     r2, at(r5)
+        bne     level
+        clr     value+to_m              ; the same all over
+        clr     value+to_dx
+        clr     value+to_dx+2
+        clr     value+to_dy
+        clr     value+to_dy+2
+        clr     r1
+        br      base
+sloped:
         .if ne is_place
         quarter r0
         .endc
+level:
         mul     long_y, r0
         mov     at(sp), r2              ; d
         sub     at(r5), r2
@@ -182,6 +195,7 @@ tap_vertex_planes:
         add     r3, r1
         adc     r0
         add     r2, r0
+base:
         add     #100000, r1
         adc     r0
         mov     at(r5), r2
