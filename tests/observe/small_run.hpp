@@ -21,6 +21,7 @@ inline RunReport small_run() {
                      .links = {},
                      .fabric = {},
                      .array = {},
+                     .buckets = {},
                      .paths = {},
                      .phase_names = {"rotate"},
                      .activity_names = {"", "route"},
