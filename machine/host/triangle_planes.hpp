@@ -4,16 +4,23 @@
 // modulo 2^32, and depends on nothing but triangle and pixel.
 //
 // The vertices are T, the first of the highest (least y), and behind it in the triangle's order n
-// and p. The lower of the two, n when they are as high, is B, the other one M. T-B is the
-// long edge. D = B - T, E = M - T, in 1/16 pixel. For a value f of the vertices (below), d = f(B) -
-// f(T) and e = f(M) - f(T):
+// and p. The lower of the two, n when they are as high, is B, the other one M. T-B is the long
+// edge. D = B - T, E = M - T, in 1/16 pixel. For a value f of the vertices (below), d = f(B) - f(T)
+// and e = f(M) - f(T):
 //
-//     A = |Ex Dy - Dx Ey|                            twice the area, M to the right of the long
-//     edge N = e Dy - d Ey, times -1 with M to its left A' = A 2^-a with 15 bits, D' = Dy 2^k with
-//     15 bits, p = a + k - 1 m = N 2^(k-1) / A' P = d 2^p - m Dx w = P 2^-2 / D', remainder r;  t =
-//     k + 7 - p g = 2^15 w + 2^15 r / D', times 2^t when t < 0 Gx = m 2^(20-p) slope to the right,
-//     16 bits of it fraction Gy = g 2^max(t,0)                              slope downwards,
-//     likewise F(x, y) = 2^16 (f(T) + bias) + 2^15 + (16 x - Tx) Gx / 16 + (16 y - Ty) Gy / 16
+//     A = |Ex Dy - Dx Ey|               twice the area
+//     N = e Dy - d Ey                   times -1 when M is to the left of the long edge
+//     A' = A 2^-a, D' = Dy 2^k          each with 15 bits
+//     p = a + k - 1
+//     m = N 2^(k-1) / A'
+//     P = d 2^p - m Dx
+//     w = P 2^-2 / D', remainder r
+//     t = k + 7 - p
+//     g = 2^15 w + 2^15 r / D'          times 2^t when t < 0
+//     Gx = m 2^(20-p)                   slope to the right, 16 bits of it fraction
+//     Gy = g 2^max(t,0)                 slope downwards, likewise
+//
+//     F(x, y) = 2^16 (f(T) + bias) + 2^15 + (16 x - Tx) Gx / 16 + (16 y - Ty) Gy / 16
 //
 // Multiplying by a power of two (and the division by 16) cuts off downwards, other divisions cut
 // towards zero. A sliver, a triangle with p < 1 and so nowhere wider than a quarter of a pixel, has
@@ -23,10 +30,10 @@
 // only. So on covered pixels F is off by some ten units of f at most, whatever the triangle's
 // shape, but on slivers, where it is off by what f changes across them.
 //
-//     f       of a vertex      bias       the value's high word
-//     depth   depth            -16384     depth word: signed, below kFarthestDepth whatever the
-//     error shade   shade            64         shade word: its grey level times 128, rounded by
-//     cutting off u, v    u / 4 cut off    0          256 times a texel's column or row
+//     f      of a vertex     bias     the value's high word
+//     depth  depth           -16384   depth word: signed, below kFarthestDepth whatever the error
+//     shade  shade           64       shade word: grey level times 128, rounded by cutting off
+//     u, v   u / 4, cut off  0        256 times a texel's column or row
 #pragma once
 
 #include "machine/host/screen_triangle.hpp"
