@@ -18,7 +18,7 @@
 ; How it goes. The vertices are T, M and B from the highest to the lowest. The long edge T-B is one side of the triangle, T-M
 ; and M-B are the other. Each side's first or last covered column is carried from line to line exactly: a whole number and
 ; a remainder. Lines above the tile are left out by setting the sides up for its top line; columns beside it by cutting a
-; line's run of pixels. The first line with a pixel in the tile sets up what depth, shade, u and v are there and how
+; line's run of pixels; a triangle that an edge shows to be beside the tile is dropped. The first line with a pixel in the tile sets up what depth, shade, u and v are there and how
 ; they change with column and line, once a triangle.
 ;
 ; Registers have no fixed use. There is no stack: sp is a register like any other, since no interrupt is ever enabled and no

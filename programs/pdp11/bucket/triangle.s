@@ -65,6 +65,45 @@ some:
         mov     #-1, column
         .endm
 
+; Goes on to the next triangle when the tile is on the outer side of an edge on all lines that are left. In: r0 how far it is outside on
+; the present line, the condition codes of its computing; r2 how much that grows a line, at least.
+        .macro  drop_if_outside ?outside, ?inside
+        ble     inside
+        mul     lines, r2
+        add     r0, r3
+        adc     r2
+        bmi     inside
+        bne     outside
+        tst     r3
+        beq     inside
+outside:
+        jmp     next_triangle
+inside:
+        .endm
+
+        .macro  drop_if_right_of_tile
+        mov     left_x_dy, r2
+        mov     left_x, r0
+        sub     last_column, r0
+        drop_if_outside
+        .endm
+
+        .macro  drop_if_left_of_tile
+        mov     right_x_dy, r2
+        com     r2
+        mov     right_x, r0
+        neg     r0
+        drop_if_outside
+        .endm
+
+        .macro  drop_if_beside is_left
+        .if ne is_left
+        drop_if_right_of_tile
+        .iff
+        drop_if_left_of_tile
+        .endc
+        .endm
+
 ; The side of the two short edges. T-M is used down to the last line that it reaches, unless it is horizontal, M-B from then on.
         .macro  short_side side, is_left
         mov     (r4), r0
@@ -75,7 +114,7 @@ some:
         blt     side'_lower
         mov     lines, r1
         sub     r0, r1
-        ble     side'_upper                 ; M-B has none
+        ble     side'_upper             ; M-B has none
         dec     r1
         mov     r1, lines_below
         mov     r0, lines
@@ -83,9 +122,10 @@ some:
 tap_vertex_'side'_upper:
         edge    side, r5, r4, is_left
         jmp     segment
-side'_upper:
-        mov     #next_triangle, edge_ended
-        br      tap_vertex_'side'_upper
+side'_upper:                            ; T-M is the last edge
+        mov     r4, sp
+        mov     r5, r4
+        br      side'_lower
 side'_again:
         mov     middle, r4
         mov     bottom, sp
@@ -94,10 +134,11 @@ side'_again:
         add     tile_top, r0
         ash     #4, r0
         mov     r0, line_16
-side'_lower:
+side'_lower:                            ; the edge from r4 to sp is the last
         mov     #next_triangle, edge_ended
-tap_vertex_'side'_lower:
+tap_vertex_'side'_last:
         edge    side, r4, sp, is_left
+        drop_if_beside is_left
         jmp     segment
         .endm
 
@@ -106,6 +147,7 @@ long_left:
         clr     middle_is_left
 tap_vertex_left_long:
         edge    left, r5, sp, 1
+        drop_if_beside 1
         short_side right, 0
 
 long_right:
@@ -113,4 +155,5 @@ long_right:
         mov     #-1, middle_is_left
 tap_vertex_right_long:
         edge    right, r5, sp, 0
+        drop_if_beside 0
         short_side left, 1
