@@ -13,18 +13,31 @@ HardwareCanvas::HardwareCanvas(const TriangleFrames& scene, const topology::Buck
     : scene_(scene),
       tiles_(tiles),
       texture_(texture),
-      canvas_(tiles.screen_width(), tiles.screen_height(), scene.background) {}
+      canvas_(tiles.screen_width(), tiles.screen_height(), scene.background) {
+    make_ready();
+}
+
+void HardwareCanvas::make_ready() {
+    triangles_.clear();
+    for (const host::ScreenTriangle& triangle : scene_.frames[frame_]) {
+        std::optional<host::ReadyTriangle>& ready = triangles_.emplace_back();
+        if (visible_box(triangle, canvas_.width(), canvas_.height())) {
+            ready.emplace(triangle);
+        }
+    }
+}
 
 void HardwareCanvas::pair_drawn(const DrawnPair& pair) {
     if (pair.work.pixels > 0) {
-        host::draw_triangle(scene_.frames[frame_][pair.work.triangle],
-                            tiles_.box_of(pair.work.tile), canvas_, texture_);
+        host::draw_triangle(*triangles_[pair.work.triangle], tiles_.box_of(pair.work.tile), canvas_,
+                            texture_);
     }
 }
 
 void HardwareCanvas::begin_next_frame() {
     canvas_.clear();
     frame_ = (frame_ + 1) % scene_.frames.size();
+    make_ready();
 }
 
 SoftwareCanvas::SoftwareCanvas(const isa::Image& image, int width, int height, int background)

@@ -14,6 +14,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace rasterloom::emulation {
 
@@ -30,11 +32,14 @@ class HardwareCanvas final : public RasterizerListener {
     void begin_next_frame();
 
   private:
+    void make_ready();
+
     const TriangleFrames& scene_;
     const topology::BucketTiles& tiles_;
     const host::TileTexture* texture_;
     host::TileCanvas canvas_;
     std::size_t frame_ = 0;
+    std::vector<std::optional<host::ReadyTriangle>> triangles_;  // of the frame, the visible ones
 };
 
 // Puts each tile that a program hands over in its place on the screen. A program hands over its

@@ -108,16 +108,13 @@ std::uint8_t grey_of(std::int16_t image) {
     return static_cast<std::uint8_t>(std::clamp(image / kShadeUnit, 0, 255));
 }
 
-void draw_triangle(const ScreenTriangle& triangle, const PixelBox& tile, TileCanvas& canvas,
+void draw_triangle(const ReadyTriangle& triangle, const PixelBox& tile, TileCanvas& canvas,
                    const TileTexture* texture) {
-    const TrianglePlanes planes(triangle);
-    const TriangleEdges edges = edges_of(triangle);
-    const PixelBox own = bounding_box(triangle);
     const int x0 = std::max(tile.x0, 0);
     const int x1 = std::min(tile.x1, canvas.width() - 1);
-    const int y1 = std::min({tile.y1, canvas.height() - 1, own.y1});
-    for (int y = std::max({tile.y0, 0, own.y0}); y <= y1; ++y)
-        draw_span(planes, covered_span(edges, y, x0, x1), y, canvas, texture);
+    const int y1 = std::min({tile.y1, canvas.height() - 1, triangle.box.y1});
+    for (int y = std::max({tile.y0, 0, triangle.box.y0}); y <= y1; ++y)
+        draw_span(triangle.planes, covered_span(triangle.edges, y, x0, x1), y, canvas, texture);
 }
 
 }  // namespace rasterloom::host

@@ -74,10 +74,19 @@ class TileCanvas {
 // The grey level of an image word.
 std::uint8_t grey_of(std::int16_t image);
 
+// A triangle made ready once, to be drawn in several tiles. Throws as TrianglePlanes does.
+struct ReadyTriangle {
+    explicit ReadyTriangle(const ScreenTriangle& triangle)
+        : planes(triangle), edges(edges_of(triangle)), box(bounding_box(triangle)) {}
+
+    TrianglePlanes planes;
+    TriangleEdges edges;
+    PixelBox box;
+};
+
 // Draws the pixels of `tile`, and touches no other ones: threads may draw disjoint tiles at once.
-// What of the tile is off the canvas is left out. `texture`: null for none. Throws as
-// TrianglePlanes does.
-void draw_triangle(const ScreenTriangle& triangle, const PixelBox& tile, TileCanvas& canvas,
+// What of the tile is off the canvas is left out. `texture`: null for none.
+void draw_triangle(const ReadyTriangle& triangle, const PixelBox& tile, TileCanvas& canvas,
                    const TileTexture* texture);
 
 }  // namespace rasterloom::host

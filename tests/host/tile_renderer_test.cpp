@@ -39,8 +39,8 @@ TileCanvas drawn(const std::vector<ScreenTriangle>& scene, int tile_width, int t
     for (int y = 0; y < kHeight; y += tile_height)
         for (int x = 0; x < kWidth; x += tile_width)
             for (const ScreenTriangle& triangle : scene)
-                draw_triangle(triangle, {x, y, x + tile_width - 1, y + tile_height - 1}, canvas,
-                              texture);
+                draw_triangle(ReadyTriangle(triangle),
+                              {x, y, x + tile_width - 1, y + tile_height - 1}, canvas, texture);
     return canvas;
 }
 
@@ -135,7 +135,7 @@ TEST(TileRenderer, DrawsNothingBesideTheTileAndEveryCoveredPixelInIt) {
         const auto [x0, x1] = std::minmax({place(kWidth), place(kWidth)});
         const auto [y0, y1] = std::minmax({place(kHeight), place(kHeight)});
         TileCanvas canvas(kWidth, kHeight, kBackground);
-        draw_triangle(triangle, {x0, y0, x1, y1}, canvas, nullptr);
+        draw_triangle(ReadyTriangle(triangle), {x0, y0, x1, y1}, canvas, nullptr);
         const TriangleEdges edges = edges_of(triangle);
         for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) {

@@ -46,7 +46,8 @@ std::string difference(const HandedOver& drawn, const Screen& screen,
                        const std::vector<ScreenTriangle>& scene, const TileTexture* texture) {
     TileCanvas canvas(screen.width, screen.height, kBackground);
     for (const ScreenTriangle& triangle : scene)
-        host::draw_triangle(triangle, {0, 0, screen.width - 1, screen.height - 1}, canvas, texture);
+        host::draw_triangle(host::ReadyTriangle(triangle),
+                            {0, 0, screen.width - 1, screen.height - 1}, canvas, texture);
     for (int y = 0; y < screen.height; ++y) {
         for (int x = 0; x < screen.width; ++x) {
             const auto pixel = static_cast<std::size_t>(y * screen.width + x);
