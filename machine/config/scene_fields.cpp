@@ -182,8 +182,11 @@ void add_motion_fields(std::vector<Field>& fields) {
 
 void add_view_fields(std::vector<Field>& fields) {
     fields.push_back(real_field(
-        "scene.scale", "size in the picture: 1 fills half its width with a sphere's radius", 0.01,
-        4, [](auto& m) -> auto& { return scene_of(m).scale; }));
+        "scene.scale",
+        "size in the picture: 1 fills half its width with a sphere's radius, and half its height; "
+        "on a "
+        "bucket tiler, whose pixels are square, the lesser of the two",
+        0.01, 4, [](auto& m) -> auto& { return scene_of(m).scale; }));
     fields.push_back(vector_field(
         "scene.translate", "shift to the right, down and away, in sphere radii", true,
         [](auto& m) -> auto& { return scene_of(m).translate; }));

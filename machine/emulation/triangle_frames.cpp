@@ -10,6 +10,7 @@
 #include "machine/host/triangle_file.hpp"
 #include "machine/host/triangle_scenes.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <utility>
@@ -28,8 +29,10 @@ Frames standing_still(const MachineDescription& machine, const Triangles& triang
 
 host::Lens make_lens(const MachineDescription& machine, const host::View& view) {
     const config::CameraDescription& camera = machine.scene->camera;
-    if (!camera.eye) {
-        return host::make_lens(view);
+    if (!camera.eye) {  // as on the geodesic machine's square screen
+        host::Lens lens = host::make_lens(view);
+        lens.scale_x = lens.scale_y = std::min(lens.scale_x, lens.scale_y);
+        return lens;
     }
     try {
         return host::make_lens(
