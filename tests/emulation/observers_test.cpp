@@ -64,7 +64,7 @@ Time observe_run(Scribe& scribe, std::int64_t threads, std::int64_t frames = 2) 
     isa::IsaRegistry registry = built_in_isas();
     const Blueprint blueprint(description, registry);
     const std::unique_ptr<HostJob> job = make_job(blueprint);
-    Machine machine(blueprint, job->polygons());
+    Machine machine(blueprint, job->frames());
     job->load(machine);
     machine.simulation().use_threads(static_cast<std::size_t>(threads));
     observe::PhaseLog phases(std::nullopt);
