@@ -33,7 +33,7 @@ PUBLISHED = {"Quake": Published(536, 2784.4, 1.90, True, overlap=132, software=1
 
 def synthetic(name):
     """Of any machine: only its screen and its scene count."""
-    return ("--machine", "configs/uniprocessor.yaml", "--set", "screen={width: 1024, height: 768}", "--set", f"scene=scenes/chen-{name.lower()}.yaml")
+    return ("--machine", "configs/bucket-hardware.yaml", "--set", f"scene=scenes/chen-{name.lower()}.yaml")
 
 
 def synthetics():

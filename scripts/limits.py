@@ -69,9 +69,20 @@ def limit_of(statistics, nodes):
     names, share = longest(frames, part)
     communication = 1 - sum(map(on_nodes, statistics["critical_paths"])) / len(frames)
     if part == "processors":
-        return processor_limit(names, share, nodes), communication
+        return processor_limit(names, share, nodes) + unit_limit(statistics), communication
     what = {"links": "links", "host": "host", "waiting": "waiting: latency of wires"}.get(part, " ".join(names[:1]))
     return f"{what} ({100 * parts[part]:.0f} %)", communication
+
+
+def unit_limit(statistics):
+    """What a rasterizer in hardware is busy with: one unit while the other waits."""
+    if statistics.get("buckets", {}).get("rasterizer") != "hardware":
+        return ""
+    times = {}
+    for path in statistics["critical_paths"]:
+        for activity in path["activities"]:
+            times[activity["name"]] = times.get(activity["name"], 0) + activity["time_ps"]
+    return "".join(f"; {name} {100 * time / sum(times.values()):.0f} %" for name, time in times.items())
 
 
 def processor_limit(names, share, nodes):

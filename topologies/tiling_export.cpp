@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "topologies/tiling_export.hpp"
 
+#include "topologies/node_colour.hpp"
+
 #include <algorithm>
 
 #include <fmt/ostream.h>
@@ -12,12 +14,6 @@ namespace {
 constexpr double kMargin = 30;
 constexpr double kScreen = 800;  // longer side of the screen in the drawing
 constexpr double kLens = 400;    // of the enlarged corner
-
-// Neighbouring numbers get hues far apart.
-std::string colour(NodeIndex processor) {
-    const unsigned hue = processor * 137 % 360;
-    return fmt::format("hsl({}, 45%, {}%)", hue, 70 + processor / 360 % 3 * 8);
-}
 
 struct Span {
     int from = 0;
@@ -74,7 +70,7 @@ class TilingDrawing {
                    "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
                    "fill=\"{}\" stroke=\"#455a64\" stroke-width=\"0.5\"><title>{}</title></rect>\n",
                    x_of(grid.x_start), y_of(grid.y_start + height), scale_ * width, scale_ * height,
-                   share > 1 ? fmt::format("url(#part{})", part) : colour(first), name);
+                   share > 1 ? fmt::format("url(#part{})", part) : node_colour(first), name);
         if (tiling_.parts() <= 256) {
             label(x_of(grid.x_start + width / 2.0), y_of(grid.y_start + height / 2.0), name);
         }
@@ -92,7 +88,7 @@ class TilingDrawing {
                        "<rect x=\"{:.4f}\" y=\"{:.4f}\" width=\"{:.4f}\" height=\"{:.4f}\" "
                        "fill=\"{}\"/>\n",
                        scale_ * column, scale_ * (grid.y_step - 1 - row), scale_, scale_,
-                       colour(first + static_cast<NodeIndex>(k)));
+                       node_colour(first + static_cast<NodeIndex>(k)));
         });
         out_ << "</pattern>\n";
     }
@@ -113,7 +109,7 @@ class TilingDrawing {
             fmt::print(out_,
                        "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
                        "fill=\"{}\" stroke=\"white\"/>\n",
-                       x, y, cell, cell, colour(static_cast<NodeIndex>(k)));
+                       x, y, cell, cell, node_colour(static_cast<NodeIndex>(k)));
             label(x + cell / 2, y + cell / 2, fmt::format("P{}", k));
         });
     }

@@ -2,11 +2,13 @@
 // rasterloom describe: what a machine is like, without running it.
 #include "machine/cli/command.hpp"
 #include "machine/cli/config_options.hpp"
+#include "machine/cli/describe_buckets.hpp"
 #include "machine/cli/describe_tiling.hpp"
 #include "machine/config/export.hpp"
 #include "machine/config/units.hpp"
 #include "machine/emulation/wiring.hpp"
 #include "machine/observe/output_folder.hpp"
+#include "topologies/bucket_tiles_export.hpp"
 #include "topologies/export.hpp"
 #include "topologies/metrics.hpp"
 #include "topologies/screen_map.hpp"
@@ -192,6 +194,31 @@ void describe_tiling(const DescribeOptions& options, const config::MachineDescri
     print_fabric(machine);
 }
 
+void describe_buckets(const DescribeOptions& options, const config::MachineDescription& machine,
+                      const Topology& topology) {
+    const topology::BucketTiles tiles = emulation::make_tiles(machine, topology);
+    const std::size_t rasterizers = topology.nodes.size();
+    const std::vector<std::size_t> owners = tile_owners(machine, tiles, rasterizers);
+    if (!options.svg.empty()) {
+        std::ostringstream drawing;
+        topology::write_tiles_svg(drawing, tiles, owners);
+        observe::write_file_whole(options.svg, drawing.str());
+    }
+    if (!options.csv.empty()) {
+        std::ostringstream table;
+        topology::write_tiles_csv(table, tiles, owners);
+        observe::OutputFolder output(options.csv);
+        observe::write_file_whole(output.file("tiles.csv"), table.str());
+        output.commit();
+    }
+    if (!options.node.empty()) {
+        print_tiles_of(tiles, owners, find_node(topology, options.node), options.node);
+        return;
+    }
+    print_title(machine);
+    print_buckets(machine, tiles, rasterizers);
+}
+
 void describe(const DescribeOptions& options, const Session& session) {
     const config::MachineDescription machine = load(options.config, session);
     if (options.effective) {
@@ -200,7 +227,9 @@ void describe(const DescribeOptions& options, const Session& session) {
     }
     const Topology topology = emulation::make_wiring(machine);
     emulation::check_keys_matter(machine, topology);
-    if (topology.tiling) {
+    if (topology.tile) {
+        describe_buckets(options, machine, topology);
+    } else if (topology.tiling) {
         describe_tiling(options, machine, topology);
     } else {
         describe_graph(options, machine, topology);
@@ -222,7 +251,7 @@ void add_describe_command(CLI::App& app, Session& session) {
         ->type_name("FILE");
     command
         ->add_option("--csv", options->csv,
-                     "Write nodes.csv and links.csv (or elements.csv) to this folder")
+                     "Write nodes.csv and links.csv (or elements.csv; or tiles.csv) to this folder")
         ->type_name("DIR");
     command
         ->add_option("--node", options->node,

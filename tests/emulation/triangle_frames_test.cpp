@@ -36,9 +36,7 @@ using Triangles = std::vector<ScreenTriangle>;
 config::MachineDescription with_scene(const std::string& scene,
                                       std::vector<std::string> changes = {}) {
     changes.insert(changes.begin(), {"screen={width: 320, height: 240}", "scene=" + scene});
-    config::MachineDescription machine = shipped("uniprocessor.yaml", changes);
-    machine.topology.kind = "bucket_tiles";
-    return machine;
+    return shipped("bucket-hardware.yaml", changes);
 }
 
 Triangles first_frame(const config::MachineDescription& machine) {
