@@ -13,7 +13,7 @@ from measuring import ROOT, EmulatorError, setting
 
 PICOSECONDS = {"ps": 1, "ns": 10 ** 3, "us": 10 ** 6, "ms": 10 ** 9, "s": 10 ** 12}
 HERTZ = {"Hz": 1, "kHz": 10 ** 3, "MHz": 10 ** 6, "GHz": 10 ** 9}
-NO_SCENE = ("is made of screen polygons", "cannot hold a scene's object")
+NO_SCENE = ("is made of screen polygons", "cannot hold a scene's object", "bucket tiles draw triangles", "are drawn by bucket tiles only")
 
 
 @dataclass
