@@ -177,20 +177,18 @@ std::vector<topology::NodeIndex> drawers_of_pixels(const topology::BucketTiles& 
     return owners;
 }
 
-// The sorter, or the node's feeder, hands on to a node; its units are beside the sorter.
+// The sorter hands on to each node by way of its units, or of its feeder.
 void draw_buckets(const Blueprint& blueprint, const BucketNetwork& buckets,
                   MachineDrawing& drawing) {
-    const std::size_t nodes = blueprint.topology.nodes.size();
+    const std::size_t on_the_way = buckets.feeders.empty() ? 2 : 1;
     drawing.parts.resize(1);
-    for (std::size_t node = 0; node < nodes; ++node) {
-        if (buckets.feeders.empty()) {
-            drawing.parts.push_back({Place::beside, 0});
-            drawing.parts.push_back({Place::beside, drawing.parts.size() - 1});
-            drawing.fed_by.push_back(0);
-        } else {
-            drawing.parts.push_back({Place::before, 0});
-            drawing.fed_by.push_back(drawing.parts.size() - 1);
+    for (std::size_t node = 0; node < blueprint.topology.nodes.size(); ++node) {
+        std::size_t above = 0;
+        for (std::size_t part = 0; part < on_the_way; ++part) {
+            drawing.parts.push_back({Place::before, above});
+            above = drawing.parts.size() - 1;
         }
+        drawing.fed_by.push_back(above);
     }
     drawing.owners = drawers_of_pixels(*blueprint.tiles, *buckets.sorter);
 }
