@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/names.hpp"
 
+#include "machine/emulation/bucket_settings.hpp"
+
 #include <fmt/format.h>
 
 namespace rasterloom::emulation {
@@ -78,9 +80,13 @@ observe::MachineNames machine_names(const Blueprint& blueprint, const Machine& m
     }
     names.activities = activity_names(blueprint);
     names.phases = phase_names(blueprint, machine);
-    names.latency = machine.fabric() == nullptr ? description.links.latency
-                    : description.fabric.ideal  ? Duration::tick()
-                                                : description.fabric.latency;
+    if (machine.buckets() != nullptr) {
+        names.latency = feeder_settings(description, 0).latency;
+    } else if (machine.fabric() == nullptr) {
+        names.latency = description.links.latency;
+    } else {
+        names.latency = description.fabric.ideal ? Duration::tick() : description.fabric.latency;
+    }
     names.cycle = description.nodes.clock.clock().nominal_period();
     return names;
 }

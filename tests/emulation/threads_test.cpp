@@ -131,6 +131,10 @@ config::MachineDescription small(const std::string& name) {
         }
         return shipped(name, changes);
     }
+    if (whole.is_bucket_tiler()) {
+        return shipped(name, {"screen={width: 64, height: 48}", "run.frames=2",
+                              "scene={object: cube, rotate: {degrees: 20}}"});
+    }
     if (whole.scene) {
         return shipped(name, {"screen={width: 128, height: 128}", "scene=scenes/random.yaml",
                               "scene.polygons=40", "run.frames=2"});
