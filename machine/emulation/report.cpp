@@ -29,21 +29,21 @@ observe::NodeReport node_report(const Processor& processor, const std::string& n
     return report;
 }
 
-// A rasterizer in hardware is busy from the first pair of a frame until the last is drawn.
+// What a rasterizer in hardware was granted it has drawn, also where the run was cut off before.
 observe::NodeReport rasterizer_report(const Rasterizer& rasterizer, const observe::RunReport& run) {
     observe::NodeReport report;
-    auto frame = rasterizer.busy_frames().begin();
-    const auto end = rasterizer.busy_frames().end();
+    auto time = rasterizer.busy_times().begin();
+    const auto end = rasterizer.busy_times().end();
     for (std::size_t i = 0; i < run.phases.size(); ++i) {
         const Time over = i + 1 < run.phases.size() ? run.phases[i + 1].start : run.end;
         NodePhaseStatistics& phase = report.statistics.phases.emplace_back();
         Duration busy;
-        for (; frame != end && frame->began < over; ++frame) {
-            busy += frame->drawn - frame->began;
+        for (; time != end && time->began < over; ++time) {
+            busy += time->drawn - time->began;
         }
         phase.in_state[static_cast<std::size_t>(NodeState::busy)] = busy;
         phase.in_state[static_cast<std::size_t>(NodeState::waiting_input)] =
-            over - run.phases[i].start - busy;
+            std::max(Duration(), over - run.phases[i].start - busy);
         report.statistics.cycles +=
             rasterizer.settings().clock.edge_at_or_before(Time::zero() + busy).count();
     }
@@ -127,7 +127,8 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
         report.fabric.front().words = report.array->places * report.array->lanes;
     }
     if (const BucketNetwork* buckets = machine.buckets()) {
-        for (const Rasterizer* rasterizer : buckets->rasterizers) {
+        for (Rasterizer* rasterizer : buckets->rasterizers) {
+            rasterizer->close_books(end);
             report.nodes.push_back(rasterizer_report(*rasterizer, report));
             report.nodes.back().name = blueprint.topology.nodes[report.nodes.size() - 1].name;
         }

@@ -25,11 +25,10 @@ Rasterizer::Rasterizer(std::string name, const RasterizerSettings& settings)
 void Rasterizer::handle(const Event& event) {
     switch (static_cast<TileEvent>(event.kind)) {
         case TileEvent::grant:
-            tell_waited();
             // It was sent one tick ago, and counts from then on.
             begin(settings_.clock.edge_at_or_after(now() - Duration::tick()).count());
             draw(*reinterpret_cast<const TileGrant*>(static_cast<std::uintptr_t>(event.payload)));
-            busy_frames_.back().drawn = reached();
+            busy_times_.back().drawn = reached();
             tell_units_idle();
             tell_busy();
             send_as_of(free_, TileEvent::next, all_drawn() ? 1 : 0);
@@ -53,10 +52,13 @@ void Rasterizer::send_as_of(std::int64_t cycle, TileEvent event, std::uint64_t p
 
 // There is something to be drawn from `cycle` on.
 void Rasterizer::begin(std::int64_t cycle) {
+    if (!in_frame_ || cycle > drawn_) {
+        busy_times_.push_back({edge(cycle), edge(cycle)});
+        tell_waited(edge(cycle), scheduler().handling());
+    }
     if (!in_frame_) {
         in_frame_ = true;
         free_ = drawn_ = cycle;
-        busy_frames_.push_back({edge(cycle), edge(cycle)});
     } else if (cycle > free_) {
         statistics_.triangle_starved += Cycles(cycle - free_);
         free_ = cycle;
@@ -139,13 +141,13 @@ void Rasterizer::tell_units_idle() {
     pixel_probe_.enter(pixel_unit_, PartState::idle, edge(drawn_));
 }
 
-void Rasterizer::tell_waited() {
-    if (now() > told_until_) {
+void Rasterizer::tell_waited(Time until, EventId ended_by) {
+    if (until > told_until_) {
         node_probe_.tell([&](NodeListener& listener) {
-            listener.interval_ended({settings_.node, NodeState::waiting_input, 0, told_until_,
-                                     now(), scheduler().handling()});
+            listener.interval_ended(
+                {settings_.node, NodeState::waiting_input, 0, told_until_, until, ended_by});
         });
-        told_until_ = active_until_ = now();
+        told_until_ = active_until_ = until;
     }
 }
 

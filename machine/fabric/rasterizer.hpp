@@ -109,13 +109,15 @@ class Rasterizer final : public Component {
     Probe<NodeListener>& node_probe() { return node_probe_; }
     static constexpr std::uint8_t kSetUp = 0;
     static constexpr std::uint8_t kPixels = 1;
-    // When it was busy, frame by frame: from the first grant until all was drawn. Frames in which
-    // it got nothing are left out.
-    struct BusyFrame {
+    // The run is over: tells what it waited until then.
+    void close_books(Time end) { tell_waited(end, kNoCause); }
+    // When it was busy: from a grant until all was drawn, or until the end of the frame. A grant
+    // that comes before belongs to the same time.
+    struct BusyTime {
         Time began;
         Time drawn;
     };
-    const std::vector<BusyFrame>& busy_frames() const { return busy_frames_; }
+    const std::vector<BusyTime>& busy_times() const { return busy_times_; }
 
     void handle(const Event& event) override;
     std::optional<std::string> waits_for() const override;
@@ -129,7 +131,7 @@ class Rasterizer final : public Component {
     std::int64_t hand_over(std::int64_t set_up, std::int64_t drawn);
     void tell(const DrawnPair& pair, std::int64_t idle_from);
     void tell_units_idle();
-    void tell_waited();
+    void tell_waited(Time until, EventId ended_by);
     void be_busy(std::uint8_t activity, Time until);
     void tell_busy();
     void end_frame();
@@ -144,7 +146,7 @@ class Rasterizer final : public Component {
     std::int64_t drawn_ = 0;  // the pixel unit has drawn it
     boost::circular_buffer<std::int64_t> fifo_;  // when the triangles in it will have been drawn
     RasterizerStatistics statistics_;            // but the busy times
-    std::vector<BusyFrame> busy_frames_;
+    std::vector<BusyTime> busy_times_;
     ComponentId triangle_unit_{};
     ComponentId pixel_unit_{};
     PartProbe triangle_probe_;
