@@ -6,6 +6,7 @@
 #include "machine/cli/describe_tiling.hpp"
 #include "machine/config/export.hpp"
 #include "machine/config/units.hpp"
+#include "machine/emulation/idle_keys.hpp"
 #include "machine/emulation/wiring.hpp"
 #include "machine/observe/output_folder.hpp"
 #include "topologies/bucket_tiles_export.hpp"

@@ -2,6 +2,7 @@
 #include "machine/emulation/blueprint.hpp"
 
 #include "machine/emulation/array_settings.hpp"
+#include "machine/emulation/idle_keys.hpp"
 #include "machine/emulation/programs.hpp"
 #include "machine/emulation/wiring.hpp"
 

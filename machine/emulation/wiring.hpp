@@ -24,9 +24,4 @@ topology::Distribution make_distribution(const config::MachineDescription& machi
 topology::BucketTiles make_tiles(const config::MachineDescription& machine,
                                  const topology::Topology& topology);
 
-// Refuses a value other than the default under a key that such a machine has no use for, as
-// links.latency where there are no links. Throws ConfigError.
-void check_keys_matter(const config::MachineDescription& machine,
-                       const topology::Topology& topology);
-
 }  // namespace rasterloom::emulation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/triangle_frames.hpp"
 
+#include "machine/emulation/idle_keys.hpp"
 #include "machine/emulation/job.hpp"
 #include "machine/emulation/polygon_frames.hpp"
 #include "machine/emulation/programs.hpp"
