@@ -105,6 +105,10 @@ Probe<SupervisorListener>* Machine::frame_probe() const {
 void Machine::build_buckets(const Blueprint& blueprint,
                             const std::vector<std::vector<host::ScreenTriangle>>& triangles) {
     const MachineDescription& description = blueprint.description;
+    if (phases_per_frame_ != 1) {
+        throw description.error("nodes.phases_per_frame", std::to_string(phases_per_frame_),
+                                "tiles are drawn in one phase a frame", "1, or a program of one");
+    }
     buckets_.emplace();
     try {
         buckets_->sorter = &simulation_.add<TileSorter>("sorter", sorter_settings(blueprint));

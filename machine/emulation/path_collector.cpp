@@ -3,6 +3,7 @@
 
 #include "machine/observe/bottlenecks/path_summary.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rasterloom::emulation {
@@ -73,8 +74,20 @@ void PathCollector::collect() {
         paths_.back().frame = *frame;
         count_activities(paths_.back());
         began_ = last_of_frame_.ended;
-        log_.forget_before(began_);
+        log_.forget_before(remembered_from());
     }
+}
+
+// Those who handed on at once what ended the frame are not to blame for what came before.
+Time PathCollector::remembered_from() const {
+    Time from = began_;
+    const observe::SentEvent* event = log_.find(last_of_frame_.ended_by);
+    while (event != nullptr) {
+        from = std::min(from, event->arrival);
+        const observe::SentEvent* cause = log_.find(event->cause);
+        event = cause != nullptr && cause->arrival == event->departure() ? cause : nullptr;
+    }
+    return from;
 }
 
 std::vector<observe::PathReport> PathCollector::finish(

@@ -47,6 +47,7 @@ class PathCollector final : public SupervisorListener, public NodeListener {
 
   private:
     void count_activities(const observe::CriticalPath& path);
+    Time remembered_from() const;
 
     using Intervals = std::vector<std::vector<StateInterval>>;  // [node], busy ones of a frame
 

@@ -128,7 +128,7 @@ observe::RunReport gather_report(const Blueprint& blueprint, Machine& machine,
     }
     if (const BucketNetwork* buckets = machine.buckets()) {
         for (Rasterizer* rasterizer : buckets->rasterizers) {
-            rasterizer->close_books(end);
+            rasterizer->close_books(end, machine.supervisor()->phase().ended_by);
             report.nodes.push_back(rasterizer_report(*rasterizer, report));
             report.nodes.back().name = blueprint.topology.nodes[report.nodes.size() - 1].name;
         }

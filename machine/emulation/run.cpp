@@ -157,6 +157,10 @@ std::string failure_of(const RunResult& result, const MachineDescription& descri
 
 void tap(std::optional<AppendixCCollector>& collector, const RunOptions& options,
          const isa::Image& image, const topology::Topology& topology, const Machine& machine) {
+    if (image.segments.empty()) {
+        config::refuse({"--appendix-c", 0, 0}, {}, {}, "the machine runs no program",
+                       "a machine that draws polygons with pdp11/tiler.s");
+    }
     std::vector<std::string> names;
     for (const topology::Node& node : topology.nodes) {
         names.push_back(node.name);

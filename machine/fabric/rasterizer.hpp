@@ -109,8 +109,8 @@ class Rasterizer final : public Component {
     Probe<NodeListener>& node_probe() { return node_probe_; }
     static constexpr std::uint8_t kSetUp = 0;
     static constexpr std::uint8_t kPixels = 1;
-    // The run is over: tells what it waited until then.
-    void close_books(Time end) { tell_waited(end, kNoCause); }
+    // The run is over, because of this event: tells that it waited until then.
+    void close_books(Time end, EventId ended_by) { tell_waited(end, ended_by); }
     // When it was busy: from a grant until all was drawn, or until the end of the frame. A grant
     // that comes before belongs to the same time.
     struct BusyTime {

@@ -262,13 +262,18 @@ TEST_F(BucketBottleneck, IsTheRasterizerThatOwnsTheTileOfASkewedScene) {
     text.close();
     for (const std::string& kind : {kHardware, kSoftware}) {
         const RunOutcome outcome =
-            run(small_bucket(kind, {"scene={object: " + path.string() + "}",
+            run(small_bucket(kind, {"run.frames=2", "scene={object: " + path.string() + "}",
                                     "topology={kind: bucket_tiles, tile: 16, rasterizers: 4}"}));
         const observe::NodeReport& busiest = outcome.report.busiest();
         // Column 1 and two for every row: 1 + 2 x 2 mod 4.
         EXPECT_EQ(busiest.name, outcome.report.nodes.at(1).name);
         EXPECT_EQ(first(outcome), "node " + busiest.name) << kind;
         expect_clear(outcome);
+        // The other three wait for it, in hardware and software, in the last frame, too.
+        const auto& idle = outcome.bottlenecks->idle_causes.at(0);
+        EXPECT_EQ(idle.cause, "node") << kind;
+        EXPECT_GT(idle.time * 10, outcome.bottlenecks->idle * 9) << kind;
+        EXPECT_EQ(outcome.bottlenecks->contention.at(0).who.name, busiest.name) << kind;
     }
 }
 
