@@ -55,6 +55,7 @@ const std::vector<Lever>& levers() {
          {observe::kWire},
          {"from host", "from splitter", "from bus"}},
         {"host.time_per_polygon", [](const M& m) { return m.host.time_per_polygon; }, {"host"}, {}},
+        {"sorter.time_per_word", [](const M& m) { return m.sorter.time_per_word; }, {"feeder"}, {}},
         {"supervisor.latency",
          [](const M& m) { return m.supervisor.latency; },
          {observe::kWire},

@@ -248,8 +248,13 @@ TEST_F(BucketBottleneck, IsTheSorterWhereSortingTakesLong) {
 
 TEST_F(BucketBottleneck, IsTheFeederWhereWordsAreSlow) {
     const RunOutcome outcome = run(small_bucket(kSoftware, {"sorter.time_per_word=20ms"}));
-    EXPECT_EQ(outcome.bottlenecks->hot_spots.at(0).who.kind, "feeder");
+    EXPECT_EQ(first(outcome), "feeder R0");
     expect_clear(outcome);
+    // The processor has the same name; each has its own time on the path.
+    const auto& shares = outcome.report.paths.at(0).components;
+    EXPECT_EQ(shares.at(0).kind, "feeder");
+    EXPECT_EQ(shares.at(1).kind, "node");
+    EXPECT_EQ(shares.at(1).name, shares.at(0).name);
 }
 
 // Nearly all of the triangles lie in the tile of column 1 and row 2.

@@ -3,7 +3,7 @@
 #include "machine/observe/page/report_page.hpp"
 
 #include "machine/emulation/run.hpp"
-#include "tests/emulation/machines.hpp"
+#include "tests/emulation/bucket_machines.hpp"
 
 #include <string>
 #include <vector>
@@ -81,7 +81,12 @@ TEST(ReportOfARun, AddsUpToItsStatistics) {
     for (const auto& description :
          {small_geodesic(), shipped("ring.yaml"), shipped("bare-pdp11.yaml"),
           shipped("splitter4.yaml"), shipped("hybrid16.yaml", {"fabric.half_digested=true"}),
-          shipped("interlace4.yaml", {"fabric.frame_buffer=bus"})}) {
+          shipped("interlace4.yaml", {"fabric.frame_buffer=bus"}),
+          small_bucket(kHardware, {"topology.rasterizers=3", "sorter.time_per_pair=1us",
+                                   "sorter.assignment=next_free", "run.frames=2"}),
+          small_bucket(kHardware, {"rasterizer.cycles_per_triangle=0"}),
+          small_bucket(kSoftware,
+                       {"topology.rasterizers=3", "sorter.time_per_word=1us", "run.frames=2"})}) {
         SCOPED_TRACE(description.machine);
         const RunOutcome outcome = run(description);
         expect_states_add_up(outcome);
@@ -96,8 +101,10 @@ TEST(ReportOfARun, AddsUpToItsStatistics) {
 }
 
 TEST(ReportOfARun, IsTheSameOnAnyNumberOfThreads) {
-    for (const auto& description : {small_geodesic({"run.frames=2"}), shipped("splitter16.yaml"),
-                                    shipped("edge-list.yaml")}) {
+    for (const auto& description :
+         {small_geodesic({"run.frames=2"}), shipped("splitter16.yaml"), shipped("edge-list.yaml"),
+          small_bucket(kHardware, {"topology.rasterizers=3"}),
+          small_bucket(kSoftware, {"topology.rasterizers=3"})}) {
         std::string first;
         for (std::int64_t threads = 1; threads <= 4; ++threads) {
             const RunOutcome outcome = run(description, threads);
@@ -168,6 +175,22 @@ TEST(ReportOfARun, DrawsSharesOfTheScreenAndWhatFeedsThem) {
         for (const auto& feeder : drawing.fed_by) {
             EXPECT_TRUE(feeder.has_value());
         }
+    }
+}
+
+// A pixel belongs to who has drawn its tile last.
+TEST(ReportOfARun, DrawsTheTilesOfABucketTiler) {
+    for (const std::string& kind : {kHardware, kSoftware}) {
+        const RunOutcome outcome =
+            run(small_bucket(kind, {"topology={kind: bucket_tiles, tile: 16x8, rasterizers: 3}"}));
+        const MachineDrawing& drawing = outcome.drawing;
+        EXPECT_EQ(drawing.width, kSmallWidth);
+        ASSERT_EQ(drawing.owners.size(), std::size_t{kSmallWidth} * kSmallHeight);
+        // By turns, one further for each row.
+        for (std::size_t y = 0; y < kSmallHeight; ++y)
+            for (std::size_t x = 0; x < kSmallWidth; ++x)
+                ASSERT_EQ(drawing.owners[y * kSmallWidth + x], (x / 16 + y / 8) % 3) << kind;
+        EXPECT_EQ(drawing.parts.size(), outcome.report.fabric.size());
     }
 }
 

@@ -2,7 +2,7 @@
 // Reruns with one other parameter, and what the critical path predicts of them.
 #include "machine/emulation/what_if.hpp"
 
-#include "tests/emulation/machines.hpp"
+#include "tests/emulation/bucket_machines.hpp"
 
 #include <cstddef>
 #include <string>
@@ -86,6 +86,39 @@ TEST(WhatIf, HasNoPredictionForWhatGovernsNoTime) {
     const WhatIfReport report = ask("interlace16.yaml", {{"fabric.processor_fifo", "1"}}, 1);
     EXPECT_FALSE(report.results.at(0).predicted.has_value());
     EXPECT_GE(report.results.at(0).frame_time, report.frame_time);
+}
+
+// Of both kinds the rasterizers are all that takes time.
+TEST(WhatIf, PredictsTheClockOfABucketTiler) {
+    for (const std::string& kind : {kHardware, kSoftware}) {
+        const auto machine = small_bucket(kind, {"run.frames=2"});
+        const char* twice = kind == kHardware ? "nodes.clock=50MHz" : "nodes.clock=600ns";
+        const WhatIfReport report =
+            what_if(machine,
+                    {{"nodes.clock", small_bucket(kind, {"run.frames=2", twice})},
+                     {"rasterizer.fifo", machine}},
+                    1, [](std::size_t) {});
+        ASSERT_EQ(report.failure, "");
+        const WhatIfResult& result = report.results.at(0);
+        ASSERT_TRUE(result.predicted.has_value());
+        EXPECT_NEAR(change_of(report, result.frame_time), 2, 0.01);
+        EXPECT_NEAR(change_of(report, *result.predicted), 2, 0.01);
+        EXPECT_FALSE(report.results.at(1).predicted.has_value());
+        EXPECT_EQ(report.results.at(1).frame_time, report.frame_time);
+    }
+}
+
+TEST(WhatIf, PredictsASlowWayFromTheSorterToThePrograms) {
+    const auto machine = [](const std::string& time) {
+        return small_bucket(kSoftware, {"sorter.time_per_word=" + time});
+    };
+    const WhatIfReport report = what_if(
+        machine("20ms"), {{"sorter.time_per_word", machine("40ms")}}, 1, [](std::size_t) {});
+    ASSERT_EQ(report.failure, "");
+    const WhatIfResult& result = report.results.at(0);
+    ASSERT_TRUE(result.predicted.has_value());
+    EXPECT_NEAR(change_of(report, result.frame_time), 2, 0.05);
+    EXPECT_NEAR(change_of(report, *result.predicted), 2, 0.05);
 }
 
 TEST(WhatIf, AnswersForMachinesThatDrawNothing) {

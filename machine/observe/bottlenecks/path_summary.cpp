@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace rasterloom::observe {
 
 namespace {
 
-std::vector<PathReport::Share> sorted(const std::map<std::string, PathReport::Share>& shares) {
+// By name and kind: a processor and the part that feeds it may have one name.
+using Shares = std::map<std::pair<std::string, std::string>, PathReport::Share>;
+
+std::vector<PathReport::Share> sorted(const Shares& shares) {
     std::vector<PathReport::Share> list;
-    for (const auto& [name, share] : shares) {
+    for (const auto& [key, share] : shares) {
         list.push_back(share);
     }
     std::stable_sort(list.begin(), list.end(),
@@ -19,9 +23,8 @@ std::vector<PathReport::Share> sorted(const std::map<std::string, PathReport::Sh
     return list;
 }
 
-void add(std::map<std::string, PathReport::Share>& shares, const std::string& kind,
-         const std::string& name, Duration time) {
-    PathReport::Share& share = shares[name];
+void add(Shares& shares, const std::string& kind, const std::string& name, Duration time) {
+    PathReport::Share& share = shares[{name, kind}];
     share.kind = kind;
     share.name = name;
     share.time += time;
@@ -45,8 +48,8 @@ PathReport summarize(const CriticalPath& path, const std::vector<PhaseReport>& p
     report.began = path.began;
     report.ended = path.ended;
     report.steps = static_cast<std::int64_t>(path.steps.size());
-    std::map<std::string, PathReport::Share> kinds;
-    std::map<std::string, PathReport::Share> components;
+    Shares kinds;
+    Shares components;
     std::map<std::pair<std::size_t, std::string>, Duration> by_phase;
     for (const PathStep& step : path.steps) {
         ComponentLabel label = names.label(step.component);
