@@ -35,6 +35,9 @@ std::vector<ComponentId> components_of(const TraceOptions& options,
                                        const observe::MachineNames& names) {
     std::map<std::string, ComponentId> by_name;
     std::vector<std::string> all;
+    for (const ComponentId node : names.nodes) {  // a part may have the name of what it serves
+        by_name.emplace(names.label(node).name, node);
+    }
     for (std::size_t id = 0; id < names.components.size(); ++id) {
         const observe::ComponentLabel& label = names.components[id];
         by_name.emplace(label.name, static_cast<ComponentId>(id));

@@ -171,6 +171,26 @@ TEST_F(BucketTrace, IsTheSameByteForByteOnAnyNumberOfThreads) {
     }
 }
 
+// Feeders and units have the names of the rasterizers that they serve, or are part of.
+TEST_F(BucketTrace, OfARasterizerIsNotThatOfWhatHasItsName) {
+    const auto traced = [&](const std::string& kind, const std::string& name) {
+        RunOptions options;
+        options.traces.paths = {file_};
+        options.traces.components = {name};
+        EXPECT_EQ(run_machine(small_bucket(kind, kSeveral), options).failure, "");
+        EXPECT_EQ(number("SELECT count(DISTINCT component) FROM state"), 1) << name;
+        const Database trace = Database::open(file_, Database::Access::read);
+        observe::Statement shown = trace.prepare("SELECT kind, name FROM timeline LIMIT 1");
+        EXPECT_TRUE(shown.step()) << name;
+        return shown.column<std::string>(0) + "/" + shown.column<std::string>(1);
+    };
+    for (const std::string& kind : {kHardware, kSoftware})
+        EXPECT_EQ(traced(kind, "R1"), "node/R1") << kind;
+    EXPECT_EQ(traced(kSoftware, "feeder/R1"), "feeder/R1");
+    EXPECT_EQ(traced(kHardware, "triangle_unit/R1"), "triangle_unit/R1");
+    EXPECT_EQ(traced(kHardware, "pixel_unit/R1"), "pixel_unit/R1");
+}
+
 // Those about messages have no answer where there are none.
 TEST_F(BucketTrace, AnswersTheQuestionsOfTheDocumentation) {
     const std::string questions = contents(RASTERLOOM_SOURCE_DIR "/docs/traces.md");

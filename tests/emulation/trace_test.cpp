@@ -2,7 +2,7 @@
 // Traces of whole machines, read back by protoc, which knows nothing of ours.
 #include "machine/emulation/run.hpp"
 #include "machine/observe/output_folder.hpp"
-#include "tests/emulation/machines.hpp"
+#include "tests/emulation/bucket_machines.hpp"
 
 #include <array>
 #include <cstdio>
@@ -11,6 +11,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -116,6 +117,29 @@ TEST_F(Trace, ShowsMachinesWithoutLinks) {
     EXPECT_TRUE(names(text, "bus/0"));
     EXPECT_TRUE(names(text, "blocked"));
     EXPECT_GT(count(text, "type: INSTANT"), 10U);
+}
+
+TEST_F(Trace, ShowsWhatLiesBeforeAndWithinRasterizers) {
+    const std::vector<std::string> changes{"topology.rasterizers=2", "sorter.time_per_pair=1us"};
+    ASSERT_EQ(run(small_bucket(kHardware, changes)).failure, "");
+    const std::string hardware = decoded();
+    for (const char* name : {"sorter", "triangle_unit/R0", "pixel_unit/R1", "R0", "R1", "set_up",
+                             "pixels", "busy", "blocked", "frame 0: draw"}) {
+        EXPECT_TRUE(names(hardware, name)) << name;
+    }
+    const RunOutcome outcome = run(small_bucket(kSoftware, changes));
+    ASSERT_EQ(outcome.failure, "");
+    const std::string software = decoded();
+    for (const char* name : {"sorter", "feeder/R0", "R1", "frame 0: draw"}) {
+        EXPECT_TRUE(names(software, name)) << name;
+    }
+    EXPECT_TRUE(names(software, "messages waiting"));
+    EXPECT_EQ(count(software, "type: INSTANT"),
+              static_cast<std::size_t>(outcome.report.messages()));
+    for (const std::string& text : {hardware, software}) {
+        EXPECT_EQ(count(text, "type: SLICE_BEGIN"), count(text, "type: SLICE_END"));
+        EXPECT_EQ(count(text, "counter_value: -"), 0U);
+    }
 }
 
 TEST_F(Trace, OfAWindowKnowsTheQueuesFromBefore) {
