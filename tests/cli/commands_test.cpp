@@ -161,6 +161,53 @@ TEST_F(Commands, DescribeWritesADrawingAndTables) {
     EXPECT_THAT(read_text(folder_ / "work/ring.svg"), HasSubstr("<svg"));
 }
 
+TEST_F(Commands, DescribesABucketTilerByItsTiles) {
+    const Finished hardware = rasterloom({"describe", "bucket16-dynamic.yaml"});
+    EXPECT_EQ(hardware.status, 0) << hardware.err;
+    EXPECT_THAT(
+        hardware.out,
+        HasSubstr("Screen      1024 x 768 in 12288 tiles of 8 x 8 pixels, 128 x 96 of them\n"
+                  "Sorter      by bounding_box, 0ps a triangle and 0ps a pair; tiles "
+                  "next_free\n"
+                  "Nodes       16 rasterizers in hardware\n"
+                  "Units       25 cycles a triangle, 1 a pixel at 100MHz a cycle; FIFO: "
+                  "1\n"));
+    EXPECT_THAT(hardware.out, Not(HasSubstr("Link")));
+    const Finished software =
+        rasterloom({"describe", "bucket-software.yaml", "--set", "topology.tile=100x50"});
+    EXPECT_THAT(software.out, HasSubstr("176 tiles of 100 x 50 pixels, 11 x 16 of them"));
+    EXPECT_THAT(software.out, HasSubstr("Processor   pdp11, 300ns a cycle"));
+    EXPECT_THAT(software.out, HasSubstr("FIFO of 4 at the processor"));
+    expect_refused({"describe", "bucket-hardware.yaml", "--set", "topology.tile=0"},
+                   "a tile of 0 x 0 pixels");
+}
+
+TEST_F(Commands, DescribeShowsWhoseTheTilesAre) {
+    const std::vector<std::string> machine{
+        "describe", "bucket16-static.yaml",
+        "--set",    "topology={kind: bucket_tiles, tile: 16, rasterizers: 3}",
+        "--set",    "screen={width: 40, height: 20}"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), machine.begin(), machine.end());
+        const Finished finished = rasterloom(more);
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        return finished.out;
+    };
+    EXPECT_EQ(with({"--node", "R1"}),
+              "R1 is node 1: 2 of 6 tiles\n  tile 1: x 16 to 31, y 0 to 15\n"
+              "  tile 3: x 0 to 15, y 16 to 19\n");
+    EXPECT_THAT(with({"--set", "sorter.assignment=next_free", "--node", "R1"}),
+                HasSubstr("takes tiles when it is free"));
+    const auto csv = folder_ / "work/tiles";
+    const auto svg = folder_ / "work/tiles.svg";
+    with({"--csv", csv.string(), "--svg", svg.string()});
+    EXPECT_EQ(read_text(csv / "tiles.csv"),
+              "tile,column,row,left,top,right,bottom,owner\n0,0,0,0,0,15,15,0\n"
+              "1,1,0,16,0,31,15,1\n2,2,0,32,0,39,15,2\n3,0,1,0,16,15,19,1\n"
+              "4,1,1,16,16,31,19,2\n5,2,1,32,16,39,19,0\n");
+    EXPECT_THAT(read_text(svg), HasSubstr("<svg"));
+}
+
 TEST_F(Commands, DescribeSaysHowAScreenIsDealtOut) {
     const Finished described = rasterloom({"describe", "hybrid16.yaml"});
     EXPECT_EQ(described.status, 0) << described.err;
