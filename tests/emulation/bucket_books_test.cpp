@@ -13,6 +13,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,26 @@ class Pipeline {
     std::vector<std::int64_t> ends_;
 };
 
+// What makes a tile large, by sorter.largest_by.
+std::int64_t size_of(const std::vector<std::int64_t>& pairs,
+                     const config::MachineDescription& machine) {
+    std::int64_t size = 0;
+    for (const std::int64_t pixels : pairs)
+        switch (machine.sorter.largest_by) {
+            case config::TileMeasure::triangles:
+                size += 1;
+                break;
+            case config::TileMeasure::pixels:
+                size += pixels;
+                break;
+            case config::TileMeasure::work:
+                size += std::max(machine.rasterizer.cycles_per_triangle,
+                                 pixels * machine.rasterizer.cycles_per_pixel);
+                break;
+        }
+    return size;
+}
+
 // As the assignments are described in machine/fabric/tile_assignment.hpp.
 std::vector<Pipeline> drawn(const Tiles& tiles, const config::MachineDescription& machine) {
     const std::size_t count = std::stoul(machine.topology.parameters.at("rasterizers"));
@@ -76,8 +97,8 @@ std::vector<Pipeline> drawn(const Tiles& tiles, const config::MachineDescription
     std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> order(tiles.begin(),
                                                                          tiles.end());
     if (machine.sorter.assignment == TileAssignment::largest_first)
-        std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-            return a.second.size() > b.second.size();
+        std::stable_sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+            return size_of(a.second, machine) > size_of(b.second, machine);
         });
     const auto columns = static_cast<std::size_t>(tiles_of(machine).columns());
     const auto step = static_cast<std::size_t>(std::sqrt(static_cast<double>(count)));
@@ -122,6 +143,22 @@ TEST(BucketBooks, SayTheCyclesThatTheRecurrenceGives) {
                               cycles_to_draw(sorted(scene.frames[frame], machine), machine))
                         << assignment << ' ' << count << ' ' << costs << ' ' << frame;
             }
+}
+
+TEST(BucketBooks, SayTheCyclesOfEveryOrderOfTiles) {
+    std::set<std::int64_t> all;
+    for (const char* measure : {"triangles", "pixels", "work"}) {
+        const auto machine =
+            small_bucket(kHardware, {"topology.rasterizers=3", "rasterizer.cycles_per_triangle=12",
+                                     "sorter.assignment=largest_first",
+                                     std::string("sorter.largest_by=") + measure});
+        const Tiles tiles = sorted(make_triangle_frames(machine).frames[0], machine);
+        const RunOutcome outcome = run_machine(machine, {});
+        all.insert(outcome.report.buckets->frames.at(0).draw_cycles);
+        EXPECT_EQ(outcome.report.buckets->frames.at(0).draw_cycles, cycles_to_draw(tiles, machine))
+            << measure;
+    }
+    EXPECT_GT(all.size(), 1U);  // the order matters
 }
 
 TEST(BucketBooks, SayWhatTheCensusOfTheSceneSays) {
