@@ -84,18 +84,9 @@ void add_scene_options(CLI::App& command, BoxesOptions& options) {
                      "So many polygons evenly over the screen, half of them visible")
         ->check(CLI::Range(std::int64_t{1}, host::kMostBoxes))
         ->type_name("N");
-    CLI::Option* const machine =
-        scene
-            ->add_option("--machine", options.machine.file,
-                         "What a lock-step machine draws in its first frame, as it stands there")
-            ->type_name("FILE");
+    add_machine_source(command, *scene, options.machine,
+                       "What a lock-step machine draws in its first frame, as it stands there");
     scene->require_option(1);
-    command
-        .add_option("--set", options.machine.overrides,
-                    "Change a value of the machine's configuration; may be given several times")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false)
-        ->needs(machine);
 }
 
 }  // namespace

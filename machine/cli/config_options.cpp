@@ -11,6 +11,19 @@
 
 namespace rasterloom::cli {
 
+CLI::Option* add_machine_source(CLI::App& command, CLI::App& group, ConfigOptions& options,
+                                const std::string& summary) {
+    CLI::Option* const machine =
+        group.add_option("--machine", options.file, summary)->type_name("FILE");
+    command
+        .add_option("--set", options.overrides,
+                    "Change a value of the machine's configuration; may be given several times")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->needs(machine);
+    return machine;
+}
+
 void add_config_options(CLI::App& command, ConfigOptions& options) {
     command.add_option("config", options.file, "The machine; looked for here, then in configs/")
         ->required()

@@ -24,6 +24,11 @@ struct ConfigOptions {
 // `options` must outlive the parsing.
 void add_config_options(CLI::App& command, ConfigOptions& options);
 
+// --machine FILE, for a group of which the user gives one, and --set: for commands that take what a
+// machine draws. Returns the former. `options` must outlive the parsing.
+CLI::Option* add_machine_source(CLI::App& command, CLI::App& group, ConfigOptions& options,
+                                const std::string& summary);
+
 // Throws config::ConfigError.
 config::MachineDescription load(const ConfigOptions& options, const Session& session);
 // With one more change.

@@ -114,18 +114,9 @@ void add_scene_options(CLI::App& command, TrianglesOptions& options) {
     scene->add_option("--random", options.random.count, "So many triangles evenly over the screen")
         ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(host::kMostTriangles)))
         ->type_name("N");
-    CLI::Option* const machine =
-        scene
-            ->add_option("--machine", options.machine.file,
-                         "The scene of a machine's configuration, on its screen")
-            ->type_name("FILE");
+    CLI::Option* const machine = add_machine_source(
+        command, *scene, options.machine, "The scene of a machine's configuration, on its screen");
     scene->require_option(1);
-    command
-        .add_option("--set", options.machine.overrides,
-                    "Change a value of the machine's configuration; may be given several times")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false)
-        ->needs(machine);
     command.add_option("--frame", options.frame, "Of the machine's frames, from 0")
         ->check(CLI::Range(0, kLastFrame))
         ->needs(machine)

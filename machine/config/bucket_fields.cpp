@@ -47,29 +47,6 @@ void add_sorter_fields(std::vector<Field>& fields) {
         [](auto& m) -> auto& { return m.sorter.time_per_word; }));
 }
 
-Field fifo_field() {
-    return {"rasterizer.fifo",
-            fmt::format("unlimited or a whole number from 0 to {}", kMostPlaces),
-            "triangles between the triangle unit and the pixel unit, the one that is drawn "
-            "included; 0: the units take turns",
-            false,
-            [](MachineDescription& machine, const Value& value, const Locator&) {
-                if (scalar_text(value) == "unlimited") {
-                    machine.rasterizer.fifo.reset();
-                    return;
-                }
-                const std::int64_t places = parse_count(scalar_text(value));
-                if (places < 0 || places > kMostPlaces) {
-                    throw std::invalid_argument("out of range");
-                }
-                machine.rasterizer.fifo = places;
-            },
-            [](const MachineDescription& machine) {
-                return machine.rasterizer.fifo ? std::to_string(*machine.rasterizer.fifo)
-                                               : std::string("unlimited");
-            }};
-}
-
 }  // namespace
 
 void add_bucket_fields(std::vector<Field>& fields) {
@@ -85,7 +62,11 @@ void add_bucket_fields(std::vector<Field>& fields) {
     fields.push_back(count_field(
         "rasterizer.cycles_per_pixel", "the pixel unit's work", 0, kMostCycles,
         [](auto& m) -> auto& { return m.rasterizer.cycles_per_pixel; }));
-    fields.push_back(fifo_field());
+    fields.push_back(optional_count_field(
+        "rasterizer.fifo",
+        "triangles between the triangle unit and the pixel unit, the one that is drawn included; "
+        "0: the units take turns",
+        "unlimited", 0, kMostPlaces, [](auto& m) -> auto& { return m.rasterizer.fifo; }));
     fields.push_back(count_field(
         "rasterizer.input_fifo", "tiles and triangles that wait at a software rasterizer", 1, 65535,
         [](auto& m) -> auto& { return m.rasterizer.input_fifo; }));

@@ -56,6 +56,30 @@ Field count_field(std::string path, std::string summary, std::int64_t least, std
             [get](const MachineDescription& machine) { return std::to_string(get(machine)); }};
 }
 
+// An optional whole number from `least` to `most`; `none` is how it is written when there is none.
+template <typename Get>
+Field optional_count_field(std::string path, std::string summary, std::string none,
+                           std::int64_t least, std::int64_t most, Get get) {
+    return {
+        std::move(path),
+        fmt::format("{} or a whole number from {} to {}", none, least, most),
+        std::move(summary),
+        false,
+        [get, none, least, most](MachineDescription& machine, const Value& value, const Locator&) {
+            get(machine).reset();
+            if (const std::string& text = scalar_text(value); text != none) {
+                const std::int64_t count = parse_count(text);
+                if (count < least || count > most) {
+                    throw std::invalid_argument("out of range");
+                }
+                get(machine) = count;
+            }
+        },
+        [get, none](const MachineDescription& machine) {
+            return get(machine) ? std::to_string(*get(machine)) : none;
+        }};
+}
+
 // An optional file, looked for beside the configuration.
 template <typename Get>
 Field file_field(std::string path, std::string expected, std::string summary, Get get) {

@@ -303,29 +303,6 @@ void add_link_fields(std::vector<Field>& fields) {
         [](auto& machine) -> auto& { return machine.links.send; }));
 }
 
-Field threads_field() {
-    return {"run.threads",
-            "auto or a whole number from 1 to 256",
-            "threads of the host that emulate the machine; nothing else depends on it",
-            false,
-            [](MachineDescription& machine, const Value& value, const Locator&) {
-                const std::string text = scalar_text(value);
-                if (text == "auto") {
-                    machine.run.threads.reset();
-                    return;
-                }
-                const std::int64_t threads = parse_count(text);
-                if (threads < 1 || threads > 256) {
-                    throw std::invalid_argument("out of range");
-                }
-                machine.run.threads = threads;
-            },
-            [](const MachineDescription& machine) {
-                return machine.run.threads ? std::to_string(*machine.run.threads)
-                                           : std::string("auto");
-            }};
-}
-
 }  // namespace
 
 std::vector<Field> machine_fields() {
@@ -356,7 +333,9 @@ std::vector<Field> machine_fields() {
     fields.push_back(duration_field(
         "run.max_time", "machine time after which the run is given up; above zero",
         [](auto& machine) -> auto& { return machine.run.max_time; }));
-    fields.push_back(threads_field());
+    fields.push_back(optional_count_field(
+        "run.threads", "threads of the host that emulate the machine; nothing else depends on it",
+        "auto", 1, 256, [](auto& machine) -> auto& { return machine.run.threads; }));
     return fields;
 }
 

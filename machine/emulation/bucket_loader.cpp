@@ -72,4 +72,16 @@ void load_bucket(isa::Core& core, const isa::Image& image, int background,
         core.write_memory(segment.address, segment.bytes);
 }
 
+TriangleCorners corners_of(const host::ScreenTriangle& triangle) {
+    TriangleCorners corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const host::ScreenVertex& vertex = triangle.vertices[i];
+        corners[i] = {
+            static_cast<std::int16_t>(vertex.x),     static_cast<std::int16_t>(vertex.y),
+            static_cast<std::int16_t>(vertex.depth), static_cast<std::int16_t>(vertex.shade),
+            static_cast<std::uint16_t>(vertex.u),    static_cast<std::uint16_t>(vertex.v)};
+    }
+    return corners;
+}
+
 }  // namespace rasterloom

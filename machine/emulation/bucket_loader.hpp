@@ -5,6 +5,8 @@
 
 #include "isa/core.hpp"
 #include "isa/image.hpp"
+#include "machine/fabric/triangle_message.hpp"
+#include "machine/host/screen_triangle.hpp"
 #include "machine/host/tile_renderer.hpp"
 
 #include <vector>
@@ -24,5 +26,9 @@ std::vector<isa::Segment> bucket_memory(const isa::Image& image, int background,
 // The same, written into the core's memory.
 void load_bucket(isa::Core& core, const isa::Image& image, int background,
                  const host::TileTexture* texture);
+
+// A triangle as messages carry it to the program. What does not fit into words is cut off: nothing
+// of one that host::fits_planes.
+TriangleCorners corners_of(const host::ScreenTriangle& triangle);
 
 }  // namespace rasterloom

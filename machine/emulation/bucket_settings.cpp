@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/emulation/bucket_settings.hpp"
 
+#include "machine/emulation/bucket_loader.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -26,18 +28,6 @@ std::uint32_t pair_weight(const config::MachineDescription& machine,
             break;
     }
     return static_cast<std::uint32_t>(tiles.tile_size().width * tiles.tile_size().height);
-}
-
-TriangleCorners corners_of(const host::ScreenTriangle& triangle) {
-    TriangleCorners corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const host::ScreenVertex& vertex = triangle.vertices[i];
-        corners[i] = {
-            static_cast<std::int16_t>(vertex.x),     static_cast<std::int16_t>(vertex.y),
-            static_cast<std::int16_t>(vertex.depth), static_cast<std::int16_t>(vertex.shade),
-            static_cast<std::uint16_t>(vertex.u),    static_cast<std::uint16_t>(vertex.v)};
-    }
-    return corners;
 }
 
 }  // namespace

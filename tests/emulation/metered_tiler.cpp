@@ -5,8 +5,7 @@
 #include "machine/emulation/tiler_loader.hpp"
 #include "machine/fabric/polygon_message.hpp"
 #include "machine/node/registers.hpp"
-
-#include <stdexcept>
+#include "tests/programs/metered_run.hpp"
 
 namespace rasterloom::test {
 
@@ -40,21 +39,7 @@ void MeteredTiler::draw(const Frames& frames, bool metered) {
     }
     frames_left_ = frames.size();
     core_->set_taps(metered ? taps_.addresses() : std::vector<std::uint32_t>());
-    while (true) {
-        isa::Stop stop = core_->run(100'000);
-        cycles_ += stop.cycles;
-        if (stop.reason == isa::StopReason::io) {
-            stop = core_->step(*this);
-            cycles_ += stop.cycles;
-        }
-        if (stop.reason == isa::StopReason::tap) {
-            meter_.tapped({0, core_->program_counter(), cycles_, Time::zero(), *core_});
-        } else if (stop.reason == isa::StopReason::halt) {
-            return;
-        } else if (stop.reason != isa::StopReason::budget) {
-            throw std::runtime_error("the tiler stops: " + (stop.trap ? stop.trap->what : ""));
-        }
-    }
+    run_metered(*core_, *this, meter_, cycles_);
 }
 
 isa::Bus::Read MeteredTiler::read(std::uint32_t address, int) {

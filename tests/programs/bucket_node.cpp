@@ -6,7 +6,9 @@
 #include "machine/emulation/bucket_loader.hpp"
 #include "machine/emulation/node_memory.hpp"
 #include "machine/fabric/polygon.hpp"
+#include "machine/fabric/triangle_message.hpp"
 #include "machine/node/registers.hpp"
+#include "tests/programs/metered_run.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -46,28 +48,6 @@ const Program& program(bool textured) {
     return made;
 }
 
-using Message = std::vector<std::uint8_t>;
-
-Message message_of(int kind, int sign, const std::vector<int>& words) {
-    Message bytes;
-    const auto put = [&](int word) {
-        bytes.push_back(static_cast<std::uint8_t>(word & 0xff));
-        bytes.push_back(static_cast<std::uint8_t>(word >> 8 & 0xff));
-    };
-    put(kind);
-    put(sign);
-    for (const int word : words)
-        put(word);
-    return bytes;
-}
-
-Message message_of(const host::ScreenTriangle& triangle) {
-    std::vector<int> words;
-    for (const host::ScreenVertex& v : triangle.vertices)
-        words.insert(words.end(), {v.x, v.y, v.depth, v.shade, v.u, v.v});
-    return message_of(1, 1, words);
-}
-
 }  // namespace
 
 const isa::Image& bucket_image(bool textured) {
@@ -94,30 +74,14 @@ void BucketNode::draw(const std::vector<std::vector<TileLoad>>& frames, HandedOv
     screen_ = &screen;
     for (const auto& frame : frames) {
         for (const auto& [tile, triangles] : frame) {
-            messages_.push_back(message_of(3, -1, {tile.x0, tile.y0, tile.x1, tile.y1}));
+            write_tile(messages_.emplace_back(), tile);
             for (const host::ScreenTriangle& triangle : triangles)
-                messages_.push_back(message_of(triangle));
+                write_triangle(messages_.emplace_back(), corners_of(triangle));
         }
-        messages_.push_back(message_of(2, 0, {}));
+        write_end_of_tiles(messages_.emplace_back());
     }
     frames_left_ = frames.size();
-    while (true) {
-        isa::Stop stop = core_->run(100'000);
-        cycles_ += stop.cycles;
-        if (stop.reason == isa::StopReason::io) {
-            stop = core_->step(*this);
-            cycles_ += stop.cycles;
-        }
-        if (stop.reason == isa::StopReason::tap) {
-            meter_.tapped({0, core_->program_counter(), cycles_, Time::zero(), *core_});
-        } else if (stop.reason == isa::StopReason::halt) {
-            return;
-        } else if (stop.reason != isa::StopReason::budget) {
-            throw std::runtime_error(fmt::format("the program stops at {:06o}: {}",
-                                                 core_->program_counter(),
-                                                 stop.trap ? stop.trap->what : ""));
-        }
-    }
+    run_metered(*core_, *this, meter_, cycles_);
 }
 
 isa::Bus::Read BucketNode::read(std::uint32_t address, int) {
