@@ -12,45 +12,43 @@ namespace rasterloom::host {
 
 namespace {
 
-// A line's values at a pixel; `next` goes on to the one on the right.
-struct PixelValues {
-    PixelValues(const TrianglePlanes& planes, int x, int y)
-        : depth(planes.depth.at(x, y)),
-          shade(planes.shade.at(x, y)),
-          u(planes.u.at(x, y)),
-          v(planes.v.at(x, y)) {}
+std::int16_t textured_image(std::int16_t shade, std::uint32_t u, std::uint32_t v,
+                            const TileTexture& texture) {
+    const int factor = texel_factor(texture.at(high_word(u) >> 8, high_word(v) >> 8));
+    return static_cast<std::int16_t>((factor * shade >> 16) * 2);
+}
 
-    void next(const TrianglePlanes& planes) {
+// `image(shade word, i)`: the image word of the span's i-th pixel.
+template <class Image>
+void draw_pixels(const TrianglePlanes& planes, const PixelSpan& span, int y, TileCanvas& canvas,
+                 Image&& image) {
+    const auto first = static_cast<std::size_t>(span.first);
+    std::int16_t* const depths = &canvas.depths(y)[first];
+    std::int16_t* const images = &canvas.images(y)[first];
+    std::uint32_t depth = planes.depth.at(span.first, y);
+    std::uint32_t shade = planes.shade.at(span.first, y);
+    for (int i = 0; i < span.pixels(); ++i) {
+        if (const std::int16_t word = high_word(depth); word < depths[i]) {
+            depths[i] = word;
+            images[i] = image(high_word(shade), i);
+        }
         depth += planes.depth.dx;
         shade += planes.shade.dx;
-        u += planes.u.dx;
-        v += planes.v.dx;
     }
-
-    std::int16_t image(const TileTexture* texture) const {
-        const std::int16_t shade_word = high_word(shade);
-        if (texture == nullptr)
-            return shade_word;
-        const int factor = texel_factor(texture->at(high_word(u) >> 8, high_word(v) >> 8));
-        return static_cast<std::int16_t>((factor * shade_word >> 16) * 2);
-    }
-
-    std::uint32_t depth, shade, u, v;
-};
+}
 
 void draw_span(const TrianglePlanes& planes, const PixelSpan& span, int y, TileCanvas& canvas,
                const TileTexture* texture) {
-    const auto depths = canvas.depths(y);
-    const auto images = canvas.images(y);
-    PixelValues values(planes, span.first, y);
-    for (int x = span.first; x <= span.last; ++x, values.next(planes)) {
-        const auto pixel = static_cast<std::size_t>(x);
-        const std::int16_t depth = high_word(values.depth);
-        if (depth < depths[pixel]) {
-            depths[pixel] = depth;
-            images[pixel] = values.image(texture);
-        }
+    if (span.pixels() == 0)
+        return;
+    if (texture == nullptr) {
+        draw_pixels(planes, span, y, canvas, [](std::int16_t shade, int) { return shade; });
+        return;
     }
+    draw_pixels(planes, span, y, canvas, [&](std::int16_t shade, int i) {
+        return textured_image(shade, planes.u.at(span.first + i, y), planes.v.at(span.first + i, y),
+                              *texture);
+    });
 }
 
 }  // namespace
