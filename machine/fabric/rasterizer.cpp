@@ -86,11 +86,11 @@ void Rasterizer::draw(const TileWork& pair) {
     statistics_.pixels += pair.pixels;
     statistics_.triangle_blocked += Cycles(free_ - set_up);
     statistics_.pixel_starved += Cycles(drawing - before);
-    if (probe_.observed() || triangle_probe_.observed() || pixel_probe_.observed() ||
-        node_probe_.observed()) {
-        tell({id(), pair, Cycles(begun), Cycles(set_up), Cycles(free_), Cycles(drawing),
-              Cycles(drawn_)},
-             before);
+    const DrawnPair told{
+        id(), pair, Cycles(begun), Cycles(set_up), Cycles(free_), Cycles(drawing), Cycles(drawn_)};
+    probe_.tell([&](RasterizerListener& listener) { listener.pair_drawn(told); });
+    if (triangle_probe_.observed() || pixel_probe_.observed() || node_probe_.observed()) {
+        tell(told, before);
     }
 }
 
@@ -132,7 +132,6 @@ void Rasterizer::tell(const DrawnPair& pair, std::int64_t idle_from) {
     }
     be_busy(kSetUp, time(pair.drawing));
     be_busy(kPixels, time(pair.drawn));
-    probe_.tell([&](RasterizerListener& listener) { listener.pair_drawn(pair); });
 }
 
 // After each grant, because what comes next must not tell of what was over long before.
