@@ -47,11 +47,11 @@ observe::NodeReport rasterizer_report(const Rasterizer& rasterizer, const observ
         report.statistics.cycles +=
             rasterizer.settings().clock.edge_at_or_before(Time::zero() + busy).count();
     }
-    const Duration pixels =
-        rasterizer.settings().clock.edge(rasterizer.statistics().pixel_busy).since_start();
-    report.statistics.busy_with[Rasterizer::kPixels] = pixels;
-    report.statistics.busy_with[Rasterizer::kSetUp] =
-        report.statistics.in_state(NodeState::busy) - pixels;
+    const Duration set_up =
+        rasterizer.settings().clock.edge(rasterizer.statistics().set_up_limits).since_start();
+    report.statistics.busy_with[Rasterizer::kSetUp] = set_up;
+    report.statistics.busy_with[Rasterizer::kPixels] =
+        report.statistics.in_state(NodeState::busy) - set_up;
     return report;
 }
 

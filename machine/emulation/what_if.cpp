@@ -2,6 +2,7 @@
 #include "machine/emulation/what_if.hpp"
 
 #include "machine/emulation/run.hpp"
+#include "machine/fabric/rasterizer.hpp"
 #include "machine/observe/bottlenecks/path_summary.hpp"
 
 #include <algorithm>
@@ -23,7 +24,8 @@ struct Lever {
     const char* key;
     Duration (*time)(const MachineDescription&);
     std::vector<std::string> kinds;
-    std::vector<std::string> names;  // empty: all
+    std::vector<std::string> names;    // empty: all
+    std::optional<int> activity = {};  // of the nodes on it, in place of kinds and names
 };
 
 const std::vector<Lever>& levers() {
@@ -55,6 +57,16 @@ const std::vector<Lever>& levers() {
          {observe::kWire},
          {"from host", "from splitter", "from bus"}},
         {"host.time_per_polygon", [](const M& m) { return m.host.time_per_polygon; }, {"host"}, {}},
+        {"rasterizer.cycles_per_triangle",
+         [](const M& m) { return Duration::picoseconds(m.rasterizer.cycles_per_triangle); },
+         {},
+         {},
+         Rasterizer::kSetUp},
+        {"rasterizer.cycles_per_pixel",
+         [](const M& m) { return Duration::picoseconds(m.rasterizer.cycles_per_pixel); },
+         {},
+         {},
+         Rasterizer::kPixels},
         {"sorter.time_per_word", [](const M& m) { return m.sorter.time_per_word; }, {"feeder"}, {}},
         {"supervisor.latency",
          [](const M& m) { return m.supervisor.latency; },
@@ -65,6 +77,12 @@ const std::vector<Lever>& levers() {
 
 Duration governed(const observe::PathReport& path, const Lever& lever) {
     Duration sum;
+    if (lever.activity) {
+        for (const observe::PathReport::ActivityShare& share : path.activities) {
+            sum += share.activity == lever.activity ? share.time : Duration();
+        }
+        return sum;
+    }
     for (const observe::PathReport::Share& share : path.components) {
         const bool of_kind =
             std::find(lever.kinds.begin(), lever.kinds.end(), share.kind) != lever.kinds.end();

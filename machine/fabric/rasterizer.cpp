@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machine/fabric/rasterizer.hpp"
 
+#include "machine/fabric/rasterizer_path.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -25,15 +27,17 @@ Rasterizer::Rasterizer(std::string name, const RasterizerSettings& settings)
 void Rasterizer::handle(const Event& event) {
     switch (static_cast<TileEvent>(event.kind)) {
         case TileEvent::grant:
+        case TileEvent::last_grant:
             // It was sent one tick ago, and counts from then on.
             begin(settings_.clock.edge_at_or_after(now() - Duration::tick()).count());
             draw(*reinterpret_cast<const TileGrant*>(static_cast<std::uintptr_t>(event.payload)));
             busy_times_.back().drawn = reached();
             tell_units_idle();
-            tell_busy();
+            find_limits(static_cast<TileEvent>(event.kind) == TileEvent::last_grant);
             send_as_of(free_, TileEvent::next, all_drawn() ? 1 : 0);
             return;
         case TileEvent::no_more:
+            tell_rest();
             in_frame_ = false;
             if (!all_drawn()) {
                 send_as_of(drawn_, TileEvent::drained);
@@ -52,7 +56,10 @@ void Rasterizer::send_as_of(std::int64_t cycle, TileEvent event, std::uint64_t p
 
 // There is something to be drawn from `cycle` on.
 void Rasterizer::begin(std::int64_t cycle) {
+    way_to_free_ = way_to_drawn_ = 0;
+    ++grants_;
     if (!in_frame_ || cycle > drawn_) {
+        tell_rest();
         busy_times_.push_back({edge(cycle), edge(cycle)});
         tell_waited(edge(cycle), scheduler().handling());
     }
@@ -81,7 +88,11 @@ void Rasterizer::draw(const TileWork& pair) {
     const std::int64_t set_up = begun + settings_.cycles_per_triangle;
     const std::int64_t drawing = std::max(set_up, before);
     drawn_ = drawing + pair.pixels * settings_.cycles_per_pixel;
-    free_ = hand_over(set_up, drawn_);
+    way_to_free_ += settings_.cycles_per_triangle;  // now to set_up
+    if (set_up >= before) {
+        way_to_drawn_ = way_to_free_;
+    }
+    free_ = hand_over(set_up);
     statistics_.pairs_without_pixels += pair.pixels == 0 ? 1 : 0;
     statistics_.pixels += pair.pixels;
     statistics_.triangle_blocked += Cycles(free_ - set_up);
@@ -94,24 +105,26 @@ void Rasterizer::draw(const TileWork& pair) {
     }
 }
 
-// When the triangle unit gets rid of a triangle that is set up at `set_up` and drawn at `drawn`.
-std::int64_t Rasterizer::hand_over(std::int64_t set_up, std::int64_t drawn) {
+// When the triangle unit gets rid of the triangle that is set up at `set_up`.
+std::int64_t Rasterizer::hand_over(std::int64_t set_up) {
     if (settings_.fifo == 0) {
-        return drawn;
+        way_to_free_ = drawn_ > set_up ? way_to_drawn_ : way_to_free_;
+        return drawn_;
     }
-    while (!fifo_.empty() && fifo_.front() <= set_up) {
+    while (!fifo_.empty() && fifo_.front().drawn <= set_up) {
         fifo_.pop_front();
     }
     std::int64_t handed_over = set_up;
     if (settings_.fifo == fifo_.size()) {
-        handed_over = fifo_.front();
+        handed_over = fifo_.front().drawn;
+        way_to_free_ = fifo_.front().grant == grants_ ? fifo_.front().on_way : 0;
         fifo_.pop_front();
     }
-    if (drawn > handed_over) {
+    if (drawn_ > handed_over) {
         if (fifo_.full()) {
             fifo_.set_capacity(std::max<std::size_t>(4, 2 * fifo_.capacity()));
         }
-        fifo_.push_back(drawn);
+        fifo_.push_back({drawn_, way_to_drawn_, grants_});
         statistics_.fifo_peak = std::max(statistics_.fifo_peak, fifo_.size());
     }
     return handed_over;
@@ -130,8 +143,9 @@ void Rasterizer::tell(const DrawnPair& pair, std::int64_t idle_from) {
     if (pair.drawn > pair.drawing) {
         pixel_probe_.enter(pixel_unit_, PartState::busy, time(pair.drawing));
     }
-    be_busy(kSetUp, time(pair.drawing));
-    be_busy(kPixels, time(pair.drawn));
+    if (node_probe_.observed()) {
+        pairs_.push_back(pair);
+    }
 }
 
 // After each grant, because what comes next must not tell of what was over long before.
@@ -146,28 +160,35 @@ void Rasterizer::tell_waited(Time until, EventId ended_by) {
             listener.interval_ended(
                 {settings_.node, NodeState::waiting_input, 0, told_until_, until, ended_by});
         });
-        told_until_ = active_until_ = until;
+        told_until_ = until;
     }
 }
 
-void Rasterizer::be_busy(std::uint8_t activity, Time until) {
-    if (until <= active_until_) {
-        return;
-    }
-    if (activity != activity_) {
-        tell_busy();
-        activity_ = activity;
-    }
-    active_until_ = until;
-}
-
-void Rasterizer::tell_busy() {
-    if (active_until_ > told_until_) {
+void Rasterizer::tell_busy(std::uint8_t activity, Time until) {
+    if (until > told_until_) {
         node_probe_.tell([&](NodeListener& listener) {
             listener.interval_ended(
-                {settings_.node, NodeState::busy, activity_, told_until_, active_until_});
+                {settings_.node, NodeState::busy, activity, told_until_, until});
         });
-        told_until_ = active_until_;
+        told_until_ = until;
+    }
+}
+
+// Until the triangle unit is free for the next grant; until the last one has been drawn.
+void Rasterizer::find_limits(bool is_last) {
+    statistics_.set_up_limits += Cycles(is_last ? way_to_drawn_ : way_to_free_);
+    if (!pairs_.empty()) {
+        for (const LimitingUnit& unit : limiting_units(pairs_, settings_.fifo, is_last)) {
+            tell_busy(unit.is_pixel_unit ? kPixels : kSetUp, settings_.clock.edge(unit.to));
+        }
+        pairs_.clear();
+    }
+}
+
+// No grant has come until then.
+void Rasterizer::tell_rest() {
+    if (in_frame_) {
+        tell_busy(kPixels, reached());
     }
 }
 

@@ -27,6 +27,7 @@
 // times of a grant when that comes, and what it tells and counts may lie in the future.
 #pragma once
 
+#include "machine/fabric/drawn_pair.hpp"
 #include "machine/fabric/part_listener.hpp"
 #include "machine/fabric/tile_work.hpp"
 #include "machine/kernel/clock.hpp"
@@ -65,19 +66,11 @@ struct RasterizerStatistics {
     Cycles triangle_starved;  // asked for pairs
     Cycles pixel_busy;
     Cycles pixel_starved;  // the FIFO was empty
+    // Of the time that the rasterizer was busy, that for which it waited for the triangle unit,
+    // grant by grant (machine/fabric/rasterizer_path.hpp); the rest it waited for the pixel unit.
+    Cycles set_up_limits;
     // Triangles in the FIFO at one time, at most; one that is drawn in no time was never in it.
     std::size_t fifo_peak = 0;
-};
-
-// A pair has been drawn; cycles of the rasterizer's clock.
-struct DrawnPair {
-    ComponentId rasterizer{};
-    TileWork work;
-    Cycles begun;  // by the triangle unit
-    Cycles set_up;
-    Cycles handed_over;
-    Cycles drawing;  // begun by the pixel unit
-    Cycles drawn;
 };
 
 class RasterizerListener {
@@ -96,8 +89,7 @@ class Rasterizer final : public Component {
 
     const RasterizerSettings& settings() const { return settings_; }
     RasterizerStatistics statistics() const;
-    // The two units, each a part of its own.
-    // What they are called there; before the run.
+    // The two units, each a part of its own. What they are called there; before the run.
     void name_units(ComponentId triangle_unit, ComponentId pixel_unit);
     ComponentId triangle_unit() const { return triangle_unit_; }
     ComponentId pixel_unit() const { return pixel_unit_; }
@@ -105,7 +97,7 @@ class Rasterizer final : public Component {
     PartProbe& pixel_probe() { return pixel_probe_; }
     Probe<RasterizerListener>& probe() { return probe_; }
     // The rasterizer as a whole: busy while either unit is, else it waits for pairs. What it is
-    // busy with is the one that the other waits for: kPixels while the pixel unit draws.
+    // busy with is the unit that it waits for (machine/fabric/rasterizer_path.hpp).
     Probe<NodeListener>& node_probe() { return node_probe_; }
     static constexpr std::uint8_t kSetUp = 0;
     static constexpr std::uint8_t kPixels = 1;
@@ -128,13 +120,13 @@ class Rasterizer final : public Component {
     void begin(std::int64_t cycle);
     void draw(const TileGrant& grant);
     void draw(const TileWork& pair);
-    std::int64_t hand_over(std::int64_t set_up, std::int64_t drawn);
+    std::int64_t hand_over(std::int64_t set_up);
     void tell(const DrawnPair& pair, std::int64_t idle_from);
     void tell_units_idle();
     void tell_waited(Time until, EventId ended_by);
-    void be_busy(std::uint8_t activity, Time until);
-    void tell_busy();
-    void end_frame();
+    void tell_busy(std::uint8_t activity, Time until);
+    void find_limits(bool is_last);
+    void tell_rest();
     void send_as_of(std::int64_t cycle, TileEvent event, std::uint64_t payload = 0);
     bool all_drawn() const { return drawn_ == free_; }  // when the triangle unit is free
     Time edge(std::int64_t cycle) const { return settings_.clock.edge(Cycles(cycle)); }
@@ -144,8 +136,16 @@ class Rasterizer final : public Component {
     // Cycles of the clock.
     std::int64_t free_ = 0;   // the triangle unit has handed over all that it was granted
     std::int64_t drawn_ = 0;  // the pixel unit has drawn it
-    boost::circular_buffer<std::int64_t> fifo_;  // when the triangles in it will have been drawn
-    RasterizerStatistics statistics_;            // but the busy times
+    struct InFifo {
+        std::int64_t drawn = 0;   // when it will have been
+        std::int64_t on_way = 0;  // of the longest way to that, what is set-up of its grant
+        std::int64_t grant = 0;   // by number
+    };
+    boost::circular_buffer<InFifo> fifo_;
+    std::int64_t grants_ = 0;
+    std::int64_t way_to_free_ = 0;     // set-up on the longest way to free_, within the grant
+    std::int64_t way_to_drawn_ = 0;    // to drawn_
+    RasterizerStatistics statistics_;  // but the busy times
     std::vector<BusyTime> busy_times_;
     ComponentId triangle_unit_{};
     ComponentId pixel_unit_{};
@@ -153,9 +153,8 @@ class Rasterizer final : public Component {
     PartProbe pixel_probe_;
     Probe<RasterizerListener> probe_;
     Probe<NodeListener> node_probe_;
-    Time told_until_;            // those who listen to nodes
-    std::uint8_t activity_ = 0;  // from then on,
-    Time active_until_;          // until then
+    Time told_until_;               // those who listen to nodes
+    std::vector<DrawnPair> pairs_;  // of the grant, for them
 };
 
 }  // namespace rasterloom

@@ -71,6 +71,7 @@ void TileFeeder::act(const Event& event) {
 void TileFeeder::handle_sorter(const Event& event) {
     switch (static_cast<TileEvent>(event.kind)) {
         case TileEvent::grant:
+        case TileEvent::last_grant:
             grant_ =
                 *reinterpret_cast<const TileGrant*>(static_cast<std::uintptr_t>(event.payload));
             next_ = 0;

@@ -170,10 +170,12 @@ bool TileSorter::grant_next(std::size_t rasterizer) {
     if (grant == nullptr) {
         return false;
     }
-    if (!is_static(settings_.queues.assignment)) {
+    const bool all = is_static(settings_.queues.assignment);
+    if (!all) {
         drawers_[grant->front().tile] = rasterizer + 1;
     }
-    send_to(rasterizer, TileEvent::grant, reinterpret_cast<std::uintptr_t>(grant));
+    send_to(rasterizer, all ? TileEvent::last_grant : TileEvent::grant,
+            reinterpret_cast<std::uintptr_t>(grant));
     return true;
 }
 

@@ -47,10 +47,11 @@ struct TileFrame {
 using TileGrant = std::span<const TileWork>;
 
 enum class TileEvent : EventKind {
-    grant,    // the payload is the address of a TileGrant that is not empty
-    no_more,  // in this frame
-    next,     // the payload is 1 when the pixel unit has finished, too; else 0
-    drained,  // unless `next` has said so
+    grant,       // the payload is the address of a TileGrant that is not empty
+    last_grant,  // likewise; it is known already that no other one comes in this frame
+    no_more,     // in this frame
+    next,        // the payload is 1 when the pixel unit has finished, too; else 0
+    drained,     // unless `next` has said so
 };
 
 }  // namespace rasterloom

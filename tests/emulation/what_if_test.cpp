@@ -108,6 +108,28 @@ TEST(WhatIf, PredictsTheClockOfABucketTiler) {
     }
 }
 
+// The path holds as long as no other one becomes longer: for small changes.
+TEST(WhatIf, PredictsTheUnitsOfRasterizersInHardware) {
+    for (const char* fifo : {"0", "1", "16", "unlimited"}) {
+        const auto machine = [&](const std::string& change) {
+            return small_bucket(kHardware, {"rasterizer.cycles_per_triangle=10000",
+                                            "rasterizer.cycles_per_pixel=1000",
+                                            std::string("rasterizer.fifo=") + fifo, change});
+        };
+        const WhatIfReport report = what_if(
+            machine("run.frames=1"),
+            {{"rasterizer.cycles_per_triangle", machine("rasterizer.cycles_per_triangle=10001")},
+             {"rasterizer.cycles_per_pixel", machine("rasterizer.cycles_per_pixel=1001")}},
+            1, [](std::size_t) {});
+        for (const WhatIfResult& result : report.results) {
+            ASSERT_TRUE(result.predicted.has_value());
+            EXPECT_NEAR(change_of(report, result.frame_time), change_of(report, *result.predicted),
+                        1e-5)
+                << fifo;
+        }
+    }
+}
+
 TEST(WhatIf, PredictsASlowWayFromTheSorterToThePrograms) {
     const auto machine = [](const std::string& time) {
         return small_bucket(kSoftware, {"sorter.time_per_word=" + time});

@@ -48,6 +48,11 @@ class TileMachine {
         std::vector<PartInterval> all;
     };
 
+    struct States : NodeListener {
+        void interval_ended(const StateInterval& interval) override { all.push_back(interval); }
+        std::vector<StateInterval> all;
+    };
+
     struct Phases : SupervisorListener {
         void phase_ended(const PhaseRecord& phase) override { all.push_back(phase); }
         std::vector<PhaseRecord> all;
@@ -64,6 +69,7 @@ class TileMachine {
             rasterizer.probe().attach(heard.emplace_back());
             rasterizer.triangle_probe().attach(triangle_units.emplace_back());
             rasterizer.pixel_probe().attach(pixel_units.emplace_back());
+            rasterizer.node_probe().attach(states.emplace_back());
             rasterizers.push_back(&rasterizer);
         }
         if (settings.sorter.supervised) {
@@ -95,6 +101,7 @@ class TileMachine {
     std::deque<Heard> heard;  // [rasterizer]
     std::deque<Intervals> triangle_units;
     std::deque<Intervals> pixel_units;
+    std::deque<States> states;
 };
 
 // Random pairs, some without pixels, of `tiles` tiles and twenty triangles.
