@@ -108,17 +108,18 @@ TEST(WhatIf, PredictsTheClockOfABucketTiler) {
     }
 }
 
-// The path holds as long as no other one becomes longer: for small changes.
+// The path holds as long as no other one becomes longer: for small changes, where no two are
+// equally long (a set-up is no multiple of a pixel).
 TEST(WhatIf, PredictsTheUnitsOfRasterizersInHardware) {
     for (const char* fifo : {"0", "1", "16", "unlimited"}) {
         const auto machine = [&](const std::string& change) {
-            return small_bucket(kHardware, {"rasterizer.cycles_per_triangle=10000",
+            return small_bucket(kHardware, {"rasterizer.cycles_per_triangle=10503",
                                             "rasterizer.cycles_per_pixel=1000",
                                             std::string("rasterizer.fifo=") + fifo, change});
         };
         const WhatIfReport report = what_if(
             machine("run.frames=1"),
-            {{"rasterizer.cycles_per_triangle", machine("rasterizer.cycles_per_triangle=10001")},
+            {{"rasterizer.cycles_per_triangle", machine("rasterizer.cycles_per_triangle=10504")},
              {"rasterizer.cycles_per_pixel", machine("rasterizer.cycles_per_pixel=1001")}},
             1, [](std::size_t) {});
         for (const WhatIfResult& result : report.results) {
