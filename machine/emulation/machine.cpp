@@ -149,7 +149,7 @@ void Machine::build_feeders(const Blueprint& blueprint,
     for (std::size_t node = 0; node < processors_.size(); ++node) {
         TileFeeder& feeder = simulation_.add<TileFeeder>(
             "feeder/" + blueprint.topology.nodes[node].name,
-            feeder_settings(description, static_cast<NodeIndex>(processors_.size())));
+            feeder_settings(description, static_cast<NodeIndex>(processors_.size() + node)));
         feeder.connect(simulation_, *processors_[node], Processor::receive_port(0));
         feeder.load(scene);
         buckets_->sorter->connect(simulation_, static_cast<int>(node), feeder);

@@ -146,6 +146,7 @@ TEST_F(BucketTrace, HoldsEveryMessageInTheOrderOfItsTimes) {
     EXPECT_EQ(number("SELECT count(*) FROM message JOIN component ON component.id = carrier WHERE "
                      "component.kind = 'feeder'"),
               outcome.report.messages());
+    EXPECT_EQ(number("SELECT count(DISTINCT id) FROM message"), outcome.report.messages());
     EXPECT_EQ(number("SELECT count(*) FROM message WHERE NOT (queued_ps <= started_ps AND "
                      "started_ps <= sent_ps AND sent_ps < delivered_ps AND delivered_ps <= "
                      "consumed_ps)"),
