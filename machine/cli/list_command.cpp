@@ -83,7 +83,7 @@ void list_topologies() {
     for (const topology::TopologyKind& kind : topology::topology_kinds()) {
         fmt::print("{}  {}\n", kind.name, kind.summary);
         for (const topology::ParameterInfo& parameter : kind.parameters) {
-            fmt::print("    {:<10}{}\n", parameter.name, parameter.summary);
+            fmt::print("    {:<18} {}\n", parameter.name, parameter.summary);
         }
     }
 }
