@@ -174,7 +174,8 @@ struct CameraDescription {
 // Of random screen triangles (machine/host/triangle_scenes.hpp).
 struct RandomTrianglesDescription {
     std::int64_t count = 1000;
-    double mean_area = 100;  // pixels
+    double mean_area = 100;       // pixels
+    double depth_complexity = 0;  // in its place: all areas over the screen's; 0: mean_area holds
     std::int64_t skew = 0;
     double box_ratio = 3;
     double aspect = 1;

@@ -121,6 +121,10 @@ void add_random_triangle_fields(std::vector<Field>& fields) {
     fields.push_back(real_field(
         "scene.triangles.mean_area", "of random triangles, in pixels", 0.001, 1 << 24,
         [](auto& m) -> auto& { return scene_of(m).triangles.mean_area; }));
+    fields.push_back(real_field(
+        "scene.triangles.depth_complexity",
+        "in place of mean_area: the sum of their areas over the screen's; 0: mean_area holds", 0,
+        1000, [](auto& m) -> auto& { return scene_of(m).triangles.depth_complexity; }));
     fields.push_back(count_field(
         "scene.triangles.skew",
         "how uneven their areas are: mean (skew + 1) u^skew for u from 0 to 1; 0: all alike", 0, 16,

@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace rasterloom::emulation {
 
 namespace {
@@ -62,21 +64,38 @@ Frames object_frames(const MachineDescription& machine) {
     return frames;
 }
 
+double mean_area(const MachineDescription& machine) {
+    const config::RandomTrianglesDescription& wanted = machine.scene->triangles;
+    if (wanted.depth_complexity == 0) {
+        return wanted.mean_area;
+    }
+    if (machine.written.contains("scene.triangles.mean_area")) {
+        throw machine.error("scene.triangles.depth_complexity",
+                            fmt::format("{}", wanted.depth_complexity), "stands beside mean_area",
+                            "one of them");
+    }
+    return wanted.depth_complexity * static_cast<double>(machine.screen.width) *
+           static_cast<double>(machine.screen.height) / static_cast<double>(wanted.count);
+}
+
 Frames random_frames(const MachineDescription& machine) {
     const config::SceneDescription& scene = *machine.scene;
     const config::RandomTrianglesDescription& wanted = scene.triangles;
+    const double area = mean_area(machine);
     try {
         return standing_still(
             machine, host::random_triangles({.count = wanted.count,
                                              .seed = static_cast<std::uint64_t>(scene.seed),
                                              .width = static_cast<int>(machine.screen.width),
                                              .height = static_cast<int>(machine.screen.height),
-                                             .mean_area = wanted.mean_area,
+                                             .mean_area = area,
                                              .skew = static_cast<int>(wanted.skew),
                                              .box_ratio = wanted.box_ratio,
                                              .aspect = wanted.aspect}));
     } catch (const std::invalid_argument& problem) {
-        throw machine.error("scene.triangles.mean_area", {}, problem.what());
+        throw machine.error(wanted.depth_complexity > 0 ? "scene.triangles.depth_complexity"
+                                                        : "scene.triangles.mean_area",
+                            {}, problem.what());
     }
 }
 

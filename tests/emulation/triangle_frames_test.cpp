@@ -145,6 +145,20 @@ TEST(RandomTriangleFrames, AreThoseOfTheirStatistics) {
     EXPECT_EQ(refused_keys(machine), "accepted");
 }
 
+TEST(RandomTriangleFrames, HaveAMeanAreaOrADepthComplexity) {
+    EXPECT_EQ(first_frame(with_scene(
+                  "{object: random-triangles, triangles: {count: 96, depth_complexity: 0.5}}")),
+              first_frame(with_scene(
+                  "{object: random-triangles, triangles: {count: 96, mean_area: 400}}")));
+    EXPECT_THAT(refused_frames(with_scene("{object: random-triangles, triangles: {mean_area: 9, "
+                                          "depth_complexity: 0.5}}")),
+                HasSubstr("scene.triangles.depth_complexity: stands beside mean_area '0.5'; "
+                          "expected one of them"));
+    EXPECT_THAT(refused_frames(with_scene(
+                    "{object: random-triangles, triangles: {count: 1, depth_complexity: 2}}")),
+                HasSubstr("scene.triangles.depth_complexity: "));
+}
+
 TEST(RandomTriangleFrames, ThatDoNotFitOnTheScreenAreRefused) {
     const auto machine =
         with_scene("{object: random-triangles}", {"scene.triangles.mean_area=70000"});
