@@ -26,6 +26,8 @@ struct Lever {
     std::vector<std::string> kinds;
     std::vector<std::string> names;    // empty: all
     std::optional<int> activity = {};  // of the nodes on it, in place of kinds and names
+    // How often the time is taken, where several share those steps; null: all is this one's.
+    std::int64_t (*times)(const observe::BucketReport::Frame&) = nullptr;
 };
 
 const std::vector<Lever>& levers() {
@@ -67,6 +69,18 @@ const std::vector<Lever>& levers() {
          {},
          {},
          Rasterizer::kPixels},
+        {"sorter.time_per_triangle",
+         [](const M& m) { return m.sorter.time_per_triangle; },
+         {"sorter"},
+         {},
+         {},
+         [](const observe::BucketReport::Frame& frame) { return frame.triangles; }},
+        {"sorter.time_per_pair",
+         [](const M& m) { return m.sorter.time_per_pair; },
+         {"sorter"},
+         {},
+         {},
+         [](const observe::BucketReport::Frame& frame) { return frame.pairs; }},
         {"sorter.time_per_word", [](const M& m) { return m.sorter.time_per_word; }, {"feeder"}, {}},
         {"supervisor.latency",
          [](const M& m) { return m.supervisor.latency; },
@@ -135,23 +149,27 @@ MachineDescription on_one_thread(MachineDescription machine) {
 
 }  // namespace
 
-std::optional<Duration> predict(const std::vector<observe::PathReport>& paths,
-                                const std::string& key, const MachineDescription& base,
-                                const MachineDescription& other) {
+std::optional<Duration> predict(const observe::RunReport& run, const std::string& key,
+                                const MachineDescription& base, const MachineDescription& other) {
     const auto lever = std::find_if(levers().begin(), levers().end(),
                                     [&](const Lever& candidate) { return candidate.key == key; });
-    if (lever == levers().end() || paths.empty() || lever->time(base) == Duration()) {
+    if (lever == levers().end() || run.paths.empty() || lever->time(base) == Duration()) {
         return std::nullopt;
     }
     const double factor = static_cast<double>(lever->time(other).picoseconds()) /
                           static_cast<double>(lever->time(base).picoseconds());
     double sum = 0;
-    for (const observe::PathReport& path : paths) {
+    for (std::size_t i = 0; i < run.paths.size(); ++i) {
+        const observe::PathReport& path = run.paths[i];
+        Duration time = governed(path, *lever);
+        if (lever->times != nullptr) {
+            time = std::min(time, lever->times(run.buckets->frames[i]) * lever->time(base));
+        }
         sum += static_cast<double>((path.ended - path.began).picoseconds()) +
-               (factor - 1) * static_cast<double>(governed(path, *lever).picoseconds());
+               (factor - 1) * static_cast<double>(time.picoseconds());
     }
     return Duration::picoseconds(
-        static_cast<std::int64_t>(std::llround(sum / static_cast<double>(paths.size()))));
+        static_cast<std::int64_t>(std::llround(sum / static_cast<double>(run.paths.size()))));
 }
 
 WhatIfReport what_if(const MachineDescription& base, const std::vector<WhatIf>& questions,
@@ -177,7 +195,7 @@ WhatIfReport what_if(const MachineDescription& base, const std::vector<WhatIf>& 
         WhatIfResult& result = report.results[i];
         result.failure = outcome.failure;
         result.frame_time = outcome.failure.empty() ? mean_frame(outcome.report) : Duration();
-        result.predicted = predict(report.base.paths, question.key, base, question.machine);
+        result.predicted = predict(report.base, question.key, base, question.machine);
         const std::lock_guard lock(mutex);
         progress(++done);
     });

@@ -40,10 +40,10 @@ struct WhatIfReport {
 WhatIfReport what_if(const config::MachineDescription& base, const std::vector<WhatIf>& questions,
                      std::size_t workers, const std::function<void(std::size_t)>& progress);
 
-// The sum of all frames' critical paths, divided by their number, if `key` had the value that it
-// has in `other`.
-std::optional<Duration> predict(const std::vector<observe::PathReport>& paths,
-                                const std::string& key, const config::MachineDescription& base,
+// The sum of all critical paths of the frames of `run`, divided by their number, if `key` had the
+// value that it has in `other`.
+std::optional<Duration> predict(const observe::RunReport& run, const std::string& key,
+                                const config::MachineDescription& base,
                                 const config::MachineDescription& other);
 
 }  // namespace rasterloom::emulation

@@ -4,6 +4,7 @@
 
 #include "tests/emulation/bucket_machines.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <tuple>
@@ -128,6 +129,24 @@ TEST(WhatIf, PredictsTheUnitsOfRasterizersInHardware) {
                         1e-5)
                 << fifo;
         }
+    }
+}
+
+TEST(WhatIf, TellsASortersTimesApart) {
+    const auto machine = [](const std::string& change) {
+        return small_bucket(kHardware,
+                            {"sorter.time_per_triangle=1us", "sorter.time_per_pair=2us", change});
+    };
+    const WhatIfReport report =
+        what_if(machine("run.frames=2"),
+                {{"sorter.time_per_triangle", machine("sorter.time_per_triangle=3us")},
+                 {"sorter.time_per_pair", machine("sorter.time_per_pair=0us")}},
+                1, [](std::size_t) {});
+    for (const WhatIfResult& result : report.results) {
+        ASSERT_TRUE(result.predicted.has_value());
+        EXPECT_NEAR(change_of(report, result.frame_time), change_of(report, *result.predicted),
+                    1e-4);
+        EXPECT_GT(std::abs(change_of(report, result.frame_time) - 1), 0.05);
     }
 }
 
