@@ -13,21 +13,21 @@ namespace rasterloom::emulation {
 
 namespace {
 
-// machine/fabric/tile_assignment.hpp says how a tile's size comes from it.
-std::uint32_t pair_weight(const config::MachineDescription& machine,
-                          const topology::BucketTiles& tiles) {
+// What makes a tile large (machine/fabric/tile_assignment.hpp).
+void set_weights(TileQueueSettings& queues, const config::MachineDescription& machine) {
+    const auto weigh = [&queues](std::int64_t pair, std::int64_t pixel) {
+        queues.pair_weight = static_cast<std::uint32_t>(pair);
+        queues.pixel_weight = static_cast<std::uint32_t>(pixel);
+    };
     switch (machine.sorter.largest_by) {
-        case config::TileMeasure::pixels:
-            return 0;
-        case config::TileMeasure::work: {
-            const std::int64_t per_pixel =
-                std::max<std::int64_t>(1, machine.rasterizer.cycles_per_pixel);
-            return static_cast<std::uint32_t>(machine.rasterizer.cycles_per_triangle / per_pixel);
-        }
         case config::TileMeasure::triangles:
-            break;
+            return weigh(1, 0);
+        case config::TileMeasure::pixels:
+            return weigh(0, 1);
+        case config::TileMeasure::work:
+            return weigh(machine.rasterizer.cycles_per_triangle,
+                         machine.rasterizer.cycles_per_pixel);
     }
-    return static_cast<std::uint32_t>(tiles.tile_size().width * tiles.tile_size().height);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ TileSorterSettings sorter_settings(const Blueprint& blueprint) {
     settings.queues.columns = tiles.columns();
     settings.queues.rows = tiles.rows();
     settings.queues.rasterizers = static_cast<int>(blueprint.topology.nodes.size());
-    settings.queues.pair_weight = pair_weight(machine, tiles);
+    set_weights(settings.queues, machine);
     return settings;
 }
 

@@ -85,7 +85,8 @@ TileQueues::TileQueues(const TileQueueSettings& settings)
 void TileQueues::order_by_size(std::span<const TileWork> pairs) {
     std::vector<std::uint64_t> size(tiles());
     for (const TileWork& pair : pairs) {
-        size[pair.tile] += std::max(settings_.pair_weight, pair.pixels);
+        size[pair.tile] += std::max(std::uint64_t{settings_.pair_weight},
+                                    std::uint64_t{settings_.pixel_weight} * pair.pixels);
     }
     std::iota(order_.begin(), order_.end(), TileIndex{0});
     std::stable_sort(order_.begin(), order_.end(),

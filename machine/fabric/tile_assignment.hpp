@@ -36,10 +36,12 @@ struct TileQueueSettings {
     int columns = 1;      // of tiles; at least 1
     int rows = 1;         // of tiles; at least 1
     int rasterizers = 1;  // at least 1
-    // A tile is as large as the sum of max(pair_weight, pixels) over its pairs. With the triangle
-    // unit's k, that is what it takes to draw; with 0, its pixels; with no less than the pixels of
-    // a tile, the number of its triangles, which is all that a sorter by bounding box knows.
+    // A tile is as large as the sum of max(pair_weight, pixel_weight x pixels) over its pairs: with
+    // a rasterizer's cycles a triangle and a pixel, that is what it takes to draw; with 0 and 1,
+    // its pixels; with 1 and 0 the number of its triangles, which is all that a sorter by bounding
+    // box knows.
     std::uint32_t pair_weight = 0;
+    std::uint32_t pixel_weight = 1;
 };
 
 // The tiles of a frame with what is in them, sorted and queued for the rasterizers.

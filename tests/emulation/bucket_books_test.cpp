@@ -147,11 +147,12 @@ TEST(BucketBooks, SayTheCyclesThatTheRecurrenceGives) {
 
 TEST(BucketBooks, SayTheCyclesOfEveryOrderOfTiles) {
     std::set<std::int64_t> all;
-    for (const char* measure : {"triangles", "pixels", "work"}) {
-        const auto machine =
-            small_bucket(kHardware, {"topology.rasterizers=3", "rasterizer.cycles_per_triangle=12",
-                                     "sorter.assignment=largest_first",
-                                     std::string("sorter.largest_by=") + measure});
+    for (const char* measure :
+         {"{largest_by: triangles", "{largest_by: pixels", "{largest_by: work"}) {
+        const auto machine = small_bucket(
+            kHardware, {"topology.rasterizers=3", "rasterizer.cycles_per_triangle=25",
+                        "rasterizer.cycles_per_pixel=2",
+                        std::string("sorter=") + measure + ", assignment: largest_first}"});
         const Tiles tiles = sorted(make_triangle_frames(machine).frames[0], machine);
         const RunOutcome outcome = run_machine(machine, {});
         all.insert(outcome.report.buckets->frames.at(0).draw_cycles);

@@ -126,6 +126,7 @@ inline TileQueueSettings random_queues() {
     queues.rows = *rc::gen::inRange(1, 6);
     queues.rasterizers = *rc::gen::inRange(1, 9);
     queues.pair_weight = *rc::gen::element(0U, 25U, 10'000U);
+    queues.pixel_weight = *rc::gen::element(0U, 1U, 3U);
     return queues;
 }
 
